@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace quadcut {
+
+/// A point in the plane, metres.
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// A rigid transform of the plane: translation in metres, rotation in radians, counter-clockwise.
+struct Pose {
+    double x = 0.0;
+    double y = 0.0;
+    double yaw_rad = 0.0;
+    friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// The address of a square map cell. Cell (x, y) covers [x, x + 1) x [y, y + 1) in units of the
+/// map's resolution; x grows to the right, y upwards.
+struct Cell {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// `point_in_b` expressed in frame a.
+[[nodiscard]] inline Point transform(const Pose& a_from_b, const Point& point_in_b) {
+    const double c = std::cos(a_from_b.yaw_rad);
+    const double s = std::sin(a_from_b.yaw_rad);
+    return {a_from_b.x + c * point_in_b.x - s * point_in_b.y,
+            a_from_b.y + s * point_in_b.x + c * point_in_b.y};
+}
+
+/// a_from_c = a_from_b * b_from_c.
+[[nodiscard]] inline Pose compose(const Pose& a_from_b, const Pose& b_from_c) {
+    const Point origin = transform(a_from_b, {b_from_c.x, b_from_c.y});
+    return {origin.x, origin.y, a_from_b.yaw_rad + b_from_c.yaw_rad};
+}
+
+/// b_from_a.
+[[nodiscard]] inline Pose inverse(const Pose& a_from_b) {
+    const double c = std::cos(a_from_b.yaw_rad);
+    const double s = std::sin(a_from_b.yaw_rad);
+    return {-c * a_from_b.x - s * a_from_b.y, s * a_from_b.x - c * a_from_b.y, -a_from_b.yaw_rad};
+}
+
+[[nodiscard]] inline double distance(const Point& a, const Point& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+}  // namespace quadcut

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace quadcut {
+
+// Strong indices: they do not mix by accident.
+
+/// Index of a leaf in the list that a map returned.
+enum class LeafId : std::uint32_t {};
+/// Index of a piece of an over-cut, or of a submap that is being fused.
+enum class PieceId : std::uint32_t {};
+/// A room's label in a result, 1, 2, ...; 0 = no room.
+enum class RoomId : std::uint32_t {};
+
+template <typename Id>
+    requires std::is_enum_v<Id>
+[[nodiscard]] constexpr std::size_t index(Id id) {
+    return static_cast<std::size_t>(id);
+}
+
+}  // namespace quadcut

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/base/ids.hpp"
+#include "quadcut/map/raster.hpp"
+
+namespace quadcut {
+
+/// What a room is by its shape and its doors.
+enum class RoomKind : std::uint8_t { unknown, room, corridor, hall };
+
+/// A place people would name. Positions are in the map frame, metres.
+struct Room {
+    RoomId id{};
+    std::string name;
+    RoomKind kind = RoomKind::unknown;
+    double area_m2 = 0.0;
+    Point centroid;
+    /// A free point inside the room, as far from its border as can be: where a label fits and a
+    /// robot can stand.
+    Point label_point;
+};
+
+/// The cut between two rooms: a straight line across the opening, from jamb to jamb.
+struct Door {
+    RoomId a{};
+    RoomId b{};
+    Point jamb_1;
+    Point jamb_2;
+    double width_m = 0.0;
+    /// 0..1: how clearly the free space narrows here.
+    double confidence = 0.0;
+};
+
+/// The eigenpairs that one cut of a region used.
+struct EigenReport {
+    std::size_t num_nodes = 0;
+    std::vector<double> eigenvalues;
+    std::vector<double> residuals;
+};
+
+/// What a run did; written to report.json.
+struct SegmentReport {
+    /// Wall time by stage, milliseconds, in order of first use.
+    std::vector<std::pair<std::string, double>> stages_ms;
+    std::size_t num_leaves = 0;
+    std::size_t num_edges = 0;
+    std::vector<EigenReport> eigen;
+    std::vector<std::string> warnings;
+};
+
+/// A map cut into rooms. `labels` covers the map's cells: 0 = no room, otherwise the RoomId, whose
+/// room is rooms[id - 1]. Every free cell that was kept has exactly one room; rooms are connected
+/// (4-neighbours).
+struct Segmentation {
+    Raster<std::uint16_t> labels;
+    std::vector<Room> rooms;
+    std::vector<Door> doors;
+    SegmentReport report;
+};
+
+}  // namespace quadcut
