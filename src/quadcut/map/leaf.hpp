@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/map/grid_map.hpp"
+
+namespace quadcut {
+
+/// A leaf of the quadtree: the largest aligned square block of one state. A leaf of level l covers
+/// 2^l x 2^l cells. Levels count from the single cell up, so that they do not change when the root
+/// grows; the paper's layer is root_level - level.
+struct Leaf {
+    Cell lower_left;
+    std::uint8_t level = 0;
+    CellState state = CellState::unknown;
+
+    [[nodiscard]] std::int32_t side_cells() const { return std::int32_t{1} << level; }
+    friend bool operator==(const Leaf&, const Leaf&) = default;
+};
+
+}  // namespace quadcut
