@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quadcut::io {
+
+/// The most pixels an image may have.
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 30U;
+
+/// The form of an image. Channels: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA. A sample lies in
+/// 0 .. max_value; 255 and 65535 are the depths of PNG, PGM has any from 1 to 65535.
+struct ImageHeader {
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    int channels = 1;
+    int max_value = 255;
+
+    [[nodiscard]] std::size_t row_samples() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    }
+    friend bool operator==(const ImageHeader&, const ImageHeader&) = default;
+};
+
+/// A whole image in memory, two bytes a sample, row 0 at the top.
+struct Image {
+    ImageHeader header;
+    std::vector<std::uint16_t> samples;
+
+    [[nodiscard]] std::span<const std::uint16_t> row(std::int32_t y) const {
+        return {samples.data() + static_cast<std::size_t>(y) * header.row_samples(),
+                header.row_samples()};
+    }
+};
+
+/// Takes the rows of an image from the top down.
+using ImageRowSink = std::function<void(const ImageHeader& header, std::int32_t y,
+                                        std::span<const std::uint16_t> samples)>;
+/// Fills the rows of an image from the top down.
+using ImageRowSource = std::function<void(std::int32_t y, std::span<std::uint16_t> samples)>;
+
+/// Whether the bytes begin like a PNG or like a PGM (P2, P5).
+[[nodiscard]] bool is_png(std::string_view bytes);
+[[nodiscard]] bool is_pgm(std::string_view bytes);
+
+/// Decodes a PNG (any colour type and depth; palettes and 1, 2 and 4 bits are expanded to 8) or a
+/// PGM (P2, P5, 8 and 16 bits), told apart by content, row by row: an image that is not interlaced
+/// needs memory for one row only. Throws InputError when the bytes are neither, are damaged or
+/// end early, or when the image has more than kMaxImagePixels; `name` stands in the messages.
+ImageHeader parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+
+/// Reads a whole image. Errors as parse_image and read_file.
+[[nodiscard]] Image read_image(const std::filesystem::path& path);
+
+/// Encodes a PNG without metadata. @pre max_value is 255 or 65535, width and height are positive.
+[[nodiscard]] std::string encode_png(const ImageHeader& header, const ImageRowSource& source);
+/// Encodes a binary PGM (P5), 8 or 16 bits by max_value. @pre one channel.
+[[nodiscard]] std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source);
+
+/// Write atomically; errors as write_file_atomically.
+void write_png(const std::filesystem::path& path, const ImageHeader& header,
+               const ImageRowSource& source);
+void write_png(const std::filesystem::path& path, const Image& image);
+void write_pgm(const std::filesystem::path& path, const ImageHeader& header,
+               const ImageRowSource& source);
+
+}  // namespace quadcut::io
