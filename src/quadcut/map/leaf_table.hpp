@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/base/ids.hpp"
+#include "quadcut/map/leaf.hpp"
+#include "quadcut/map/root.hpp"
+
+namespace quadcut {
+
+/// A list of leaves that can be asked which leaf holds a cell, and which leaves meet a rectangle.
+///
+/// Only free and occupied leaves are found: a cell of an unknown leaf, a cell that no leaf of the
+/// list covers and a cell outside the root all give nothing, since none of them lets sight or a
+/// robot pass. Unknown leaves keep their place in `leaves()`, so a LeafId stays the index in the
+/// list that the map returned.
+///
+/// Inside: a rectangle of 8 x 8-cell tiles around the free and occupied leaves; an entry is a leaf
+/// that covers the whole tile, or a table of 64 bytes that says which leaf holds which cell.
+class LeafTable {
+public:
+    /// `leaves` in depth-first (Z) order as OccupancyMap::leaves() gives them, or a part of that
+    /// list in the same order. O(leaves + tiles of their bounding box).
+    /// Throws std::logic_error when leaves overlap, are not aligned, or are out of order.
+    LeafTable(std::vector<Leaf> leaves, const Root& root);
+
+    [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+    [[nodiscard]] const Leaf& leaf(LeafId id) const { return leaves_[index(id)]; }
+    [[nodiscard]] const Root& root() const { return root_; }
+
+    /// The free or occupied leaf that holds the cell, or nothing. Any cell may be asked. O(1).
+    [[nodiscard]] std::optional<LeafId> find(Cell cell) const {
+        const std::uint32_t entry = entry_at({cell.x >> kTileBits, cell.y >> kTileBits});
+        if ((entry & kMixed) == 0) {
+            return LeafId{entry};
+        }
+        if (entry == kNothing) {
+            return std::nullopt;
+        }
+        const Tile& tile = tiles_[entry & ~kMixed];
+        const std::uint8_t offset = tile.offsets[cell_in_tile(cell)];
+        if (offset == kNoLeaf) {
+            return std::nullopt;
+        }
+        return LeafId{tile.first_leaf + offset};
+    }
+
+    /// Calls `visit(LeafId)` once for each free or occupied leaf that shares a cell with the
+    /// rectangle low .. high (both corners included), tile row by tile row from the lower left.
+    /// O(leaves met + tiles of the rectangle).
+    template <typename Visitor>
+    void for_each_leaf_in(Cell low, Cell high, Visitor&& visit) const {
+        const Cell first{std::max(low.x >> kTileBits, low_tile_.x),
+                         std::max(low.y >> kTileBits, low_tile_.y)};
+        const Cell last{std::min(high.x >> kTileBits, low_tile_.x + width_ - 1),
+                        std::min(high.y >> kTileBits, low_tile_.y + height_ - 1)};
+        for (std::int32_t y = first.y; y <= last.y; ++y) {
+            for (std::int32_t x = first.x; x <= last.x; ++x) {
+                const std::uint32_t entry = entry_at({x, y});
+                if ((entry & kMixed) == 0) {
+                    const Leaf& large = leaves_[entry];
+                    // A leaf of many tiles is visited at the first of them in the rectangle only.
+                    if (y == std::max(large.lower_left.y >> kTileBits, first.y)) {
+                        visit(LeafId{entry});
+                    }
+                    x = (large.lower_left.x + large.side_cells() - 1) >> kTileBits;
+                } else if (entry != kNothing) {
+                    visit_tile(tiles_[entry & ~kMixed], low, high, visit);
+                }
+            }
+        }
+    }
+
+    /// Bytes held, the list of leaves included.
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    static constexpr std::int32_t kTileBits = 3;
+    static constexpr std::int32_t kTileSide = 1 << kTileBits;
+    static constexpr std::uint32_t kMixed = 0x8000'0000U;
+    static constexpr std::uint32_t kNothing = 0xFFFF'FFFFU;
+    static constexpr std::uint8_t kNoLeaf = 0xFF;
+
+    /// A tile that several leaves share. Cell (x, y) lies in leaf first_leaf + offsets[8 y + x].
+    struct Tile {
+        std::uint32_t first_leaf = 0;
+        std::uint32_t num_leaves = 0;
+        std::array<std::uint8_t, kTileSide * kTileSide> offsets{};
+    };
+
+    [[nodiscard]] static std::size_t cell_in_tile(Cell cell) {
+        return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +
+                                        (cell.x & (kTileSide - 1)));
+    }
+
+    [[nodiscard]] std::uint32_t entry_at(Cell tile) const {
+        // One comparison a side: what is left of the rectangle wraps around to a large number.
+        const auto x = static_cast<std::uint32_t>(tile.x - low_tile_.x);
+        const auto y = static_cast<std::uint32_t>(tile.y - low_tile_.y);
+        if (x >= static_cast<std::uint32_t>(width_) || y >= static_cast<std::uint32_t>(height_)) {
+            return kNothing;
+        }
+        return directory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + x];
+    }
+
+    template <typename Visitor>
+    void visit_tile(const Tile& tile, Cell low, Cell high, Visitor& visit) const {
+        for (std::uint32_t i = tile.first_leaf; i < tile.first_leaf + tile.num_leaves; ++i) {
+            const Leaf& small = leaves_[i];
+            if (small.state != CellState::unknown && small.lower_left.x <= high.x &&
+                small.lower_left.y <= high.y && small.lower_left.x + small.side_cells() > low.x &&
+                small.lower_left.y + small.side_cells() > low.y) {
+                visit(LeafId{i});
+            }
+        }
+    }
+
+    void frame_directory();
+    void add_large_leaf(std::uint32_t id);
+    void add_small_leaf(std::uint32_t id);
+
+    Root root_;
+    std::vector<Leaf> leaves_;
+    Cell low_tile_;
+    std::int32_t width_ = 0;
+    std::int32_t height_ = 0;
+    std::vector<std::uint32_t> directory_;
+    std::vector<Tile> tiles_;
+};
+
+}  // namespace quadcut

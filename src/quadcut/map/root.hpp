@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+
+#include "quadcut/base/geometry.hpp"
+
+namespace quadcut {
+
+/// The square that the quadtree divides: 2^level x 2^level cells from `lower_left` on. Every block
+/// inside is aligned relative to cell (0, 0), so a root that grows moves none of them.
+struct Root {
+    Cell lower_left;
+    std::uint8_t level = 0;
+
+    [[nodiscard]] std::int32_t side_cells() const { return std::int32_t{1} << level; }
+    friend bool operator==(const Root&, const Root&) = default;
+};
+
+}  // namespace quadcut
