@@ -56,6 +56,8 @@ using ImageRowSource = std::function<void(std::int32_t y, std::span<std::uint16_
 /// needs memory for one row only. Throws InputError when the bytes are neither, are damaged or
 /// end early, or when the image has more than kMaxImagePixels; `name` stands in the messages.
 ImageHeader parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+ImageHeader parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+ImageHeader parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
 
 /// Reads a whole image. Errors as parse_image and read_file.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
