@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/spectral/embedding.hpp"
+#include "quadcut/spectral/k_means.hpp"
+
+namespace quadcut {
+
+/// The distance S of eqs. (7) and (8). `gaussian`: 1 - exp(-d^2 / (2 sigma^2)) of the Euclidean
+/// distance d, sigma^2 = the mean of d^2 over all pairs of samples.
+enum class SampleDistance : std::uint8_t { euclidean, gaussian };
+
+struct SilhouetteOptions {
+    SampleDistance distance = SampleDistance::euclidean;
+    /// Above this many samples the score is that of a seeded sample of so many.
+    std::size_t max_samples = 4000;
+    std::uint64_t seed = 1;
+};
+
+/// Silhouettes (Rousseeuw 1987) of all samples, in [-1, 1]; 0 in a cluster of one, and 0 when there
+/// is only one cluster. Eqs. (7), (8), (9). O(samples^2 * dims). Throws std::logic_error if labels
+/// and samples differ in number.
+[[nodiscard]] std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
+                                              SampleDistance distance = SampleDistance::euclidean,
+                                              const Executor& executor = {});
+
+/// Their mean, over a seeded sample where there are many. 0 without samples.
+[[nodiscard]] double mean_silhouette(const Embedding& samples, const Clustering& clusters,
+                                     const SilhouetteOptions& options = {},
+                                     const Executor& executor = {});
+
+struct ChooseOptions {
+    /// Numbers of clusters that are tried; no more than there are eigenpairs.
+    std::size_t min_clusters = 2;
+    std::size_t max_clusters = 30;
+    /// A clustering is accepted when its mean silhouette reaches this.
+    double accept_score = 0.5;
+    /// Sets of k-means starts tried in all; the best is returned if none is accepted.
+    std::size_t max_attempts = 3;
+    RowScaling scaling = RowScaling::none;
+    KMeansOptions k_means;
+    SilhouetteOptions silhouette;
+};
+
+struct ChosenClustering {
+    /// Of all nodes.
+    Clustering clustering;
+    /// Mean silhouette of it.
+    double score = 0.0;
+    /// Whether the score reached the threshold.
+    bool accepted = false;
+    std::size_t num_attempts = 0;
+    /// Mean silhouette by number of clusters: scores[i] belongs to min_clusters + i.
+    std::vector<double> scores;
+};
+
+/// Chooses the number of clusters k by the best mean silhouette of k-means in the first k
+/// eigenvectors (the least such k), then clusters all nodes with it; starts k-means again while the
+/// score stays below the threshold. Above silhouette.max_samples nodes the choice is made on a
+/// seeded sample of so many. Fewer pairs or nodes than min_clusters: one cluster, score 0.
+[[nodiscard]] ChosenClustering choose_num_clusters(const Eigenpairs& pairs,
+                                                   const ChooseOptions& options = {},
+                                                   const Executor& executor = {});
+
+}  // namespace quadcut
