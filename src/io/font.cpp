@@ -4,14 +4,14 @@
 
 // Defined in font.S.in, which takes the font file in at build time.
 extern "C" {
-extern const unsigned char quadcut_label_font[];
-extern const unsigned int quadcut_label_font_size;
+extern const unsigned char kQuadcutLabelFont[];
+extern const unsigned int kQuadcutLabelFontSize;
 }
 
 namespace quadcut::io {
 
 std::span<const unsigned char> label_font() {
-    return {quadcut_label_font, quadcut_label_font_size};
+    return {kQuadcutLabelFont, kQuadcutLabelFontSize};
 }
 
 }  // namespace quadcut::io
