@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/fuse.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace quadcut {
+namespace {
+
+/// A saddle with the numbers of joins that its two regions had seen when it was last measured.
+struct Candidate {
+    double key = 0.0;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t version_a = 0;
+    std::uint32_t version_b = 0;
+    /// Lowest key first; ties by region, so that the order is the same everywhere.
+    friend bool operator<(const Candidate& p, const Candidate& q) {
+        return std::tie(p.key, p.a, p.b) > std::tie(q.key, q.a, q.b);
+    }
+};
+
+/// Regions that only ever join, with the widest saddle to each neighbour.
+class RegionGraph {
+public:
+    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                const Raster<float>& clearance, double resolution_m)
+        : pieces_(pieces),
+          clearance_(clearance),
+          resolution_m_(resolution_m),
+          parent_(num_pieces + 1),
+          area_m2_(num_pieces + 1, 0.0),
+          version_(num_pieces + 1, 0),
+          saddles_(num_pieces + 1) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+        for (const std::uint32_t piece : pieces.values) {
+            area_m2_[piece] += resolution_m * resolution_m;
+        }
+        find_saddles();
+    }
+
+    [[nodiscard]] std::uint32_t find(std::uint32_t region) {
+        while (parent_[region] != region) {
+            parent_[region] = parent_[parent_[region]];
+            region = parent_[region];
+        }
+        return region;
+    }
+
+    /// Joins b into a; the saddles of both to a third region become the wider of the two.
+    void join(std::uint32_t a, std::uint32_t b) {
+        parent_[b] = a;
+        area_m2_[a] += area_m2_[b];
+        ++version_[a];
+        saddles_[a].erase(b);
+        for (const auto& [other, saddle] : saddles_[b]) {
+            saddles_[other].erase(b);
+            if (other == a) continue;
+            widen(saddles_[a], other, saddle);
+            widen(saddles_[other], a, {saddle.b, saddle.a, saddle.clearance_m});
+        }
+        saddles_[b].clear();
+    }
+
+    [[nodiscard]] Narrowing measure(const Saddle& saddle) {
+        return measure_narrowing(clearance_, resolution_m_, saddle, [this](std::size_t offset) {
+            return find(pieces_.values[offset]);
+        });
+    }
+
+    [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
+        return saddles_[region];
+    }
+    [[nodiscard]] double area_m2(std::uint32_t region) const { return area_m2_[region]; }
+    [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
+    [[nodiscard]] std::uint32_t num_pieces() const {
+        return static_cast<std::uint32_t>(parent_.size() - 1);
+    }
+
+private:
+    static void widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
+                      const Saddle& saddle) {
+        const auto [at, is_new] = saddles.emplace(other, saddle);
+        if (!is_new && saddle.clearance_m > at->second.clearance_m) at->second = saddle;
+    }
+
+    void meet(Cell cell_a, Cell cell_b) {
+        const std::uint32_t a = pieces_.at(cell_a);
+        const std::uint32_t b = pieces_.at(cell_b);
+        if (a == 0 || b == 0 || a == b) return;
+        const float height = std::min(clearance_.at(cell_a), clearance_.at(cell_b));
+        widen(saddles_[a], b, {cell_a, cell_b, height});
+        widen(saddles_[b], a, {cell_b, cell_a, height});
+    }
+
+    void find_saddles() {
+        for (std::int32_t y = 0; y < pieces_.height; ++y) {
+            for (std::int32_t x = 0; x < pieces_.width; ++x) {
+                const Cell cell{pieces_.origin.x + x, pieces_.origin.y + y};
+                if (x + 1 < pieces_.width) meet(cell, {cell.x + 1, cell.y});
+                if (y + 1 < pieces_.height) meet(cell, {cell.x, cell.y + 1});
+            }
+        }
+    }
+
+    const Raster<std::uint32_t>& pieces_;
+    const Raster<float>& clearance_;
+    double resolution_m_;
+    std::vector<std::uint32_t> parent_;
+    std::vector<double> area_m2_;
+    std::vector<std::uint32_t> version_;
+    std::vector<std::map<std::uint32_t, Saddle>> saddles_;
+};
+
+void push_saddles(RegionGraph& regions, std::uint32_t region,
+                  std::priority_queue<Candidate>& queue) {
+    for (const auto& [other, saddle] : regions.saddles(region)) {
+        queue.push({door_log_odds(regions.measure(saddle)), region, other, regions.version(region),
+                    regions.version(other)});
+    }
+}
+
+/// Joins across the least door-like saddle until every one left is a door.
+void join_across_wide_saddles(RegionGraph& regions, double min_log_odds) {
+    std::priority_queue<Candidate> queue;
+    for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
+        for (const auto& [other, saddle] : regions.saddles(region)) {
+            if (other < region) continue;
+            queue.push({door_log_odds(regions.measure(saddle)), region, other, 0, 0});
+        }
+    }
+    while (!queue.empty() && queue.top().key < min_log_odds) {
+        const Candidate top = queue.top();
+        queue.pop();
+        if (regions.find(top.a) != top.a || regions.find(top.b) != top.b ||
+            regions.version(top.a) != top.version_a || regions.version(top.b) != top.version_b) {
+            continue;
+        }
+        const bool a_larger = regions.area_m2(top.a) >= regions.area_m2(top.b);
+        const std::uint32_t heir = a_larger ? top.a : top.b;
+        regions.join(heir, a_larger ? top.b : top.a);
+        push_saddles(regions, heir, queue);
+    }
+}
+
+/// Smallest first, through the widest saddle; a small region without a neighbour stays.
+void join_small_regions(RegionGraph& regions, double min_area_m2) {
+    std::vector<std::uint32_t> small;
+    for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
+        if (regions.find(region) == region && regions.area_m2(region) < min_area_m2) {
+            small.push_back(region);
+        }
+    }
+    std::stable_sort(small.begin(), small.end(), [&](std::uint32_t p, std::uint32_t q) {
+        return regions.area_m2(p) < regions.area_m2(q);
+    });
+    for (const std::uint32_t region : small) {
+        const std::uint32_t self = regions.find(region);
+        if (self != region || regions.area_m2(self) >= min_area_m2) continue;
+        const auto& saddles = regions.saddles(self);
+        const auto widest =
+            std::max_element(saddles.begin(), saddles.end(), [](const auto& p, const auto& q) {
+                return p.second.clearance_m < q.second.clearance_m;
+            });
+        if (widest != saddles.end()) regions.join(widest->first, self);
+    }
+}
+
+}  // namespace
+
+FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                  const Raster<float>& clearance_m, double resolution_m,
+                  const FuseOptions& options) {
+    RegionGraph regions(pieces, num_pieces, clearance_m, resolution_m);
+    join_across_wide_saddles(regions, options.min_log_odds);
+    join_small_regions(regions, options.min_area_m2);
+
+    FusedRegions fused;
+    std::vector<std::uint32_t> label(num_pieces + 1, 0);
+    for (std::uint32_t region = 1; region <= num_pieces; ++region) {
+        if (regions.find(region) == region) label[region] = ++fused.count;
+    }
+    fused.labels = Raster<std::uint32_t>(pieces.origin, pieces.width, pieces.height);
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        if (pieces.values[i] != 0) fused.labels.values[i] = label[regions.find(pieces.values[i])];
+    }
+    for (std::uint32_t region = 1; region <= num_pieces; ++region) {
+        if (label[region] == 0) continue;
+        for (const auto& [other, saddle] : regions.saddles(region)) {
+            if (label[other] < label[region]) continue;
+            const Narrowing narrowing = regions.measure(saddle);
+            fused.cuts.push_back(
+                {label[region], label[other], saddle, narrowing, door_log_odds(narrowing)});
+        }
+    }
+    return fused;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/segment/narrowing.hpp"
+
+namespace quadcut {
+
+/// A cut that fusing kept.
+struct KeptCut {
+    /// Labels of the two regions in FusedRegions::labels.
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    Saddle saddle;
+    Narrowing narrowing;
+    double log_odds = 0.0;
+};
+
+struct FusedRegions {
+    /// 1 .. count, 0 = none.
+    Raster<std::uint32_t> labels;
+    std::uint32_t count = 0;
+    std::vector<KeptCut> cuts;
+};
+
+struct FuseOptions {
+    /// Cuts with lower log-odds of being a door are fused.
+    double min_log_odds = 0.0;
+    /// Regions smaller than this join a neighbour through their widest saddle, m^2.
+    double min_area_m2 = 1.5;
+};
+
+/// Joins pieces (labels 1 .. count) into rooms: the least door-like cut goes first, and what is
+/// joined is measured anew, until every cut that is left looks like a door.
+[[nodiscard]] FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                                const Raster<float>& clearance_m, double resolution_m,
+                                const FuseOptions& options = {});
+
+}  // namespace quadcut
