@@ -10,8 +10,6 @@ extern const unsigned int kQuadcutLabelFontSize;
 
 namespace quadcut::io {
 
-std::span<const unsigned char> label_font() {
-    return {kQuadcutLabelFont, kQuadcutLabelFontSize};
-}
+std::span<const unsigned char> label_font() { return {kQuadcutLabelFont, kQuadcutLabelFontSize}; }
 
 }  // namespace quadcut::io

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The quadcut developers
+"""Dependency goes down the page: base <- map <- graph <- spectral <- segment <- everything else."""
+
+import re
+
+from source import SourceFile, Tree
+
+CORE = {"base", "map", "graph", "spectral", "segment"}
+
+# Folder -> the folders it may include, itself aside. A new folder gets a line here.
+MAY_INCLUDE = {
+    "base": set(),
+    "map": {"base"},
+    "graph": {"base", "map"},
+    "spectral": {"base", "graph"},  # knows no map
+    "segment": CORE,
+    "io": CORE,
+    "sim": CORE | {"io"},
+    "apps": CORE | {"io", "sim"},
+}
+
+
+def folder_of(path: str) -> str:
+    """The layer of a file of src/ or apps/, or of an include as it is written."""
+    parts = path.removeprefix("src/").split("/")
+    if parts[0] == "quadcut":
+        return parts[1] if len(parts) > 2 else ""
+    return parts[0]
+
+
+def check(tree: Tree) -> list[str]:
+    problems = []
+    for file in tree.sources("src", "apps"):
+        problems += _check_file(tree, file)
+    problems += _include_cycles(tree)
+    return problems
+
+
+def _check_file(tree: Tree, file: SourceFile) -> list[str]:
+    problems = []
+    layer = folder_of(file.path)
+    if layer not in MAY_INCLUDE:
+        return [f"{file.path}:1: folder '{layer}' has no layer; give it one in tools/lint/layers.py"]
+    for include in file.includes():
+        place = f"{file.path}:{include.line}"
+        if include.system:
+            if file.is_header and re.search(r"[/.]", include.target):
+                problems.append(f"{place}: <{include.target}> in a header; only the standard "
+                                "library may be, include it in one .cpp")
+            continue
+        if _resolve(tree, include.target) is None:
+            problems.append(f"{place}: '{include.target}' is not a file of ours; write includes "
+                            "from src/, and others' in <>")
+            continue
+        used = folder_of(include.target)
+        if used != layer and used not in MAY_INCLUDE[layer]:
+            problems.append(f"{place}: {layer} must not include {used} ('{include.target}')")
+    return problems
+
+
+def _resolve(tree: Tree, target: str) -> str | None:
+    for path in ("src/" + target, target):
+        if path in tree.files:
+            return path
+    return None
+
+
+def _include_cycles(tree: Tree) -> list[str]:
+    problems = []
+    done: set[str] = set()
+
+    def visit(path: str, trail: list[str]) -> None:
+        if path in trail:
+            cycle = " -> ".join(trail[trail.index(path):] + [path])
+            problems.append(f"{path}:1: headers include each other: {cycle}")
+        if path in done or path in trail:
+            return
+        for include in tree.files[path].includes():
+            target = None if include.system else _resolve(tree, include.target)
+            if target is not None:
+                visit(target, trail + [path])
+        done.add(path)
+
+    for file in tree.sources("src", "apps"):
+        visit(file.path, [])
+    return problems
