@@ -31,29 +31,29 @@ public:
                 const Raster<float>& clearance, double resolution_m)
         : pieces_(pieces),
           clearance_(clearance),
-          resolution_m_(resolution_m),
-          parent_(num_pieces + 1),
+          gauge_(clearance, resolution_m),
+          region_(num_pieces + 1),
+          members_(num_pieces + 1),
           area_m2_(num_pieces + 1, 0.0),
           version_(num_pieces + 1, 0),
           saddles_(num_pieces + 1) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
+        std::iota(region_.begin(), region_.end(), 0U);
+        for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
         for (const std::uint32_t piece : pieces.values) {
             area_m2_[piece] += resolution_m * resolution_m;
         }
         find_saddles();
     }
 
-    [[nodiscard]] std::uint32_t find(std::uint32_t region) {
-        while (parent_[region] != region) {
-            parent_[region] = parent_[parent_[region]];
-            region = parent_[region];
-        }
-        return region;
-    }
+    /// The region that a piece has become part of; a region is named by one of its pieces.
+    [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
+    [[nodiscard]] bool is_region(std::uint32_t piece) const { return region_[piece] == piece; }
 
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b) {
-        parent_[b] = a;
+        for (const std::uint32_t piece : members_[b]) region_[piece] = a;
+        members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
+        members_[b].clear();
         area_m2_[a] += area_m2_[b];
         ++version_[a];
         saddles_[a].erase(b);
@@ -67,9 +67,7 @@ public:
     }
 
     [[nodiscard]] Narrowing measure(const Saddle& saddle) {
-        return measure_narrowing(clearance_, resolution_m_, saddle, [this](std::size_t offset) {
-            return find(pieces_.values[offset]);
-        });
+        return gauge_.measure(saddle, {pieces_, region_});
     }
 
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
@@ -78,7 +76,7 @@ public:
     [[nodiscard]] double area_m2(std::uint32_t region) const { return area_m2_[region]; }
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
     [[nodiscard]] std::uint32_t num_pieces() const {
-        return static_cast<std::uint32_t>(parent_.size() - 1);
+        return static_cast<std::uint32_t>(region_.size() - 1);
     }
 
 private:
@@ -109,8 +107,9 @@ private:
 
     const Raster<std::uint32_t>& pieces_;
     const Raster<float>& clearance_;
-    double resolution_m_;
-    std::vector<std::uint32_t> parent_;
+    NarrowingGauge gauge_;
+    std::vector<std::uint32_t> region_;
+    std::vector<std::vector<std::uint32_t>> members_;
     std::vector<double> area_m2_;
     std::vector<std::uint32_t> version_;
     std::vector<std::map<std::uint32_t, Saddle>> saddles_;
@@ -136,7 +135,7 @@ void join_across_wide_saddles(RegionGraph& regions, double min_log_odds) {
     while (!queue.empty() && queue.top().key < min_log_odds) {
         const Candidate top = queue.top();
         queue.pop();
-        if (regions.find(top.a) != top.a || regions.find(top.b) != top.b ||
+        if (!regions.is_region(top.a) || !regions.is_region(top.b) ||
             regions.version(top.a) != top.version_a || regions.version(top.b) != top.version_b) {
             continue;
         }
@@ -151,7 +150,7 @@ void join_across_wide_saddles(RegionGraph& regions, double min_log_odds) {
 void join_small_regions(RegionGraph& regions, double min_area_m2) {
     std::vector<std::uint32_t> small;
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
-        if (regions.find(region) == region && regions.area_m2(region) < min_area_m2) {
+        if (regions.is_region(region) && regions.area_m2(region) < min_area_m2) {
             small.push_back(region);
         }
     }
@@ -159,14 +158,13 @@ void join_small_regions(RegionGraph& regions, double min_area_m2) {
         return regions.area_m2(p) < regions.area_m2(q);
     });
     for (const std::uint32_t region : small) {
-        const std::uint32_t self = regions.find(region);
-        if (self != region || regions.area_m2(self) >= min_area_m2) continue;
-        const auto& saddles = regions.saddles(self);
+        if (!regions.is_region(region) || regions.area_m2(region) >= min_area_m2) continue;
+        const auto& saddles = regions.saddles(region);
         const auto widest =
             std::max_element(saddles.begin(), saddles.end(), [](const auto& p, const auto& q) {
                 return p.second.clearance_m < q.second.clearance_m;
             });
-        if (widest != saddles.end()) regions.join(widest->first, self);
+        if (widest != saddles.end()) regions.join(widest->first, region);
     }
 }
 
@@ -182,11 +180,11 @@ FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
     FusedRegions fused;
     std::vector<std::uint32_t> label(num_pieces + 1, 0);
     for (std::uint32_t region = 1; region <= num_pieces; ++region) {
-        if (regions.find(region) == region) label[region] = ++fused.count;
+        if (regions.is_region(region)) label[region] = ++fused.count;
     }
     fused.labels = Raster<std::uint32_t>(pieces.origin, pieces.width, pieces.height);
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
-        if (pieces.values[i] != 0) fused.labels.values[i] = label[regions.find(pieces.values[i])];
+        if (pieces.values[i] != 0) fused.labels.values[i] = label[regions.region_of(pieces.values[i])];
     }
     for (std::uint32_t region = 1; region <= num_pieces; ++region) {
         if (label[region] == 0) continue;

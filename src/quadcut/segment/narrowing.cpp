@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace quadcut {
@@ -15,78 +14,6 @@ constexpr double kFarM = 5.0;
 const double kLogNarrowerMax = std::log(1.6);
 const double kLogWiderMax = std::log(2.2);
 constexpr double kDepthMax = 4.0;
-
-/// What lies on one side of a saddle.
-struct Side {
-    double peak_near_m = 0.0;
-    double peak_far_m = 0.0;
-    double reach_m = 0.0;
-};
-
-/// Walks outward from `seed` inside its region, nearest cells first (8-neighbours, steps of 5 and
-/// 7 fifths of a cell), in a window that moves with the saddle: no memory of the map's size.
-class OutwardWalk {
-public:
-    OutwardWalk(const Raster<float>& clearance, double resolution_m)
-        : clearance_(clearance),
-          unit_m_(resolution_m / 5.0),
-          radius_(static_cast<std::int32_t>(std::ceil(kFarM / resolution_m)) + 1),
-          side_(static_cast<std::size_t>(2 * radius_ + 1)),
-          seen_(side_ * side_, false),
-          buckets_(static_cast<std::size_t>(kFarM / unit_m_) + 9) {}
-
-    Side run(Cell seed, double half_width_m,
-             const std::function<std::uint32_t(std::size_t)>& region_of) {
-        Side side;
-        const std::uint32_t region = region_of(clearance_.offset(seed));
-        // Wider or deeper than this changes no score.
-        const double enough_peak_m = half_width_m * std::exp(kLogWiderMax);
-        const double enough_reach_m = half_width_m * 2.0 * kDepthMax;
-        std::fill(seen_.begin(), seen_.end(), false);
-        for (auto& bucket : buckets_) bucket.clear();
-        buckets_[0].push_back(seed);
-        const auto last = static_cast<std::size_t>(kFarM / unit_m_);
-        for (std::size_t d = 0; d <= last; ++d) {
-            for (std::size_t i = 0; i < buckets_[d].size(); ++i) {
-                visit(buckets_[d][i], d, seed, region, region_of, side);
-            }
-            if (side.peak_near_m >= enough_peak_m && side.reach_m >= enough_reach_m) break;
-        }
-        return side;
-    }
-
-private:
-    void visit(Cell cell, std::size_t d, Cell seed, std::uint32_t region,
-               const std::function<std::uint32_t(std::size_t)>& region_of, Side& side) {
-        const auto slot = static_cast<std::size_t>(cell.y - seed.y + radius_) * side_ +
-                          static_cast<std::size_t>(cell.x - seed.x + radius_);
-        if (seen_[slot]) return;
-        seen_[slot] = true;
-        const double path_m = static_cast<double>(d) * unit_m_;
-        const double height = clearance_.at(cell);
-        if (path_m <= kNearM) side.peak_near_m = std::max(side.peak_near_m, height);
-        side.peak_far_m = std::max(side.peak_far_m, height);
-        side.reach_m = path_m;
-        for (std::int32_t dy = -1; dy <= 1; ++dy) {
-            for (std::int32_t dx = -1; dx <= 1; ++dx) {
-                const Cell next{cell.x + dx, cell.y + dy};
-                if ((dx == 0 && dy == 0) || !clearance_.contains(next)) continue;
-                if (std::abs(next.x - seed.x) > radius_ || std::abs(next.y - seed.y) > radius_) {
-                    continue;
-                }
-                if (region_of(clearance_.offset(next)) != region) continue;
-                buckets_[d + (dx != 0 && dy != 0 ? 7U : 5U)].push_back(next);
-            }
-        }
-    }
-
-    const Raster<float>& clearance_;
-    double unit_m_;
-    std::int32_t radius_;
-    std::size_t side_;
-    std::vector<bool> seen_;
-    std::vector<std::vector<Cell>> buckets_;
-};
 
 bool is_open(const Raster<float>& clearance, Cell cell) {
     return clearance.contains(cell) && clearance.at(cell) > 0.0F;
@@ -189,20 +116,73 @@ void measure_jambs(const Raster<float>& clearance, double resolution_m, const Sa
 
 }  // namespace
 
-Narrowing measure_narrowing(const Raster<float>& clearance_m, double resolution_m,
-                            const Saddle& saddle,
-                            const std::function<std::uint32_t(std::size_t offset)>& region_of) {
+NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resolution_m)
+    : clearance_(clearance_m),
+      resolution_m_(resolution_m),
+      unit_m_(resolution_m / 5.0),
+      radius_(static_cast<std::int32_t>(std::ceil(kFarM / resolution_m)) + 1),
+      side_(static_cast<std::size_t>(2 * radius_ + 1)),
+      seen_(side_ * side_, 0),
+      buckets_(static_cast<std::size_t>(kFarM / unit_m_) + 9) {}
+
+/// Nearest cells first (Dial's buckets), until what is found can change no score.
+NarrowingGauge::Side NarrowingGauge::walk_outward(Cell seed, double half_width_m,
+                                                  const RegionsView& regions) {
+    Side side;
+    const std::uint32_t region = regions.region_at(clearance_.offset(seed));
+    const double enough_peak_m = half_width_m * std::exp(kLogWiderMax);
+    const double enough_reach_m = half_width_m * 2.0 * kDepthMax;
+    ++walk_;
+    for (auto& bucket : buckets_) bucket.clear();
+    buckets_[0].push_back(seed);
+    const auto last = static_cast<std::size_t>(kFarM / unit_m_);
+    for (std::size_t d = 0; d <= last; ++d) {
+        for (std::size_t i = 0; i < buckets_[d].size(); ++i) {
+            visit(buckets_[d][i], d, seed, region, regions, side);
+        }
+        if (side.peak_near_m >= enough_peak_m && side.reach_m >= enough_reach_m) break;
+    }
+    return side;
+}
+
+void NarrowingGauge::visit(Cell cell, std::size_t steps, Cell seed, std::uint32_t region,
+                           const RegionsView& regions, Side& side) {
+    const auto slot_of = [&](Cell at) {
+        return static_cast<std::size_t>(at.y - seed.y + radius_) * side_ +
+               static_cast<std::size_t>(at.x - seed.x + radius_);
+    };
+    std::uint32_t& seen = seen_[slot_of(cell)];
+    if (seen == walk_) return;
+    seen = walk_;
+    const double path_m = static_cast<double>(steps) * unit_m_;
+    const double height = clearance_.at(cell);
+    if (path_m <= kNearM) side.peak_near_m = std::max(side.peak_near_m, height);
+    side.peak_far_m = std::max(side.peak_far_m, height);
+    side.reach_m = path_m;
+    for (std::int32_t dy = -1; dy <= 1; ++dy) {
+        for (std::int32_t dx = -1; dx <= 1; ++dx) {
+            const Cell next{cell.x + dx, cell.y + dy};
+            if (!clearance_.contains(next) || std::abs(next.x - seed.x) > radius_ ||
+                std::abs(next.y - seed.y) > radius_ || seen_[slot_of(next)] == walk_ ||
+                regions.region_at(clearance_.offset(next)) != region) {
+                continue;
+            }
+            buckets_[steps + (dx != 0 && dy != 0 ? 7U : 5U)].push_back(next);
+        }
+    }
+}
+
+Narrowing NarrowingGauge::measure(const Saddle& saddle, const RegionsView& regions) {
     Narrowing out;
     const auto h = static_cast<double>(saddle.clearance_m);
-    OutwardWalk walk(clearance_m, resolution_m);
-    const Side a = walk.run(saddle.a, h, region_of);
-    const Side b = walk.run(saddle.b, h, region_of);
+    const Side a = walk_outward(saddle.a, h, regions);
+    const Side b = walk_outward(saddle.b, h, regions);
     const Side& narrower = a.peak_far_m <= b.peak_far_m ? a : b;
     const Side& wider = a.peak_far_m <= b.peak_far_m ? b : a;
     out.narrower_side = std::clamp(std::log(narrower.peak_far_m / h), 0.0, kLogNarrowerMax);
     out.wider_side = std::clamp(std::log(wider.peak_near_m / h), 0.0, kLogWiderMax);
     out.depth = std::min(kDepthMax, narrower.reach_m / (2.0 * h));
-    measure_jambs(clearance_m, resolution_m, saddle, out);
+    measure_jambs(clearance_, resolution_m_, saddle, out);
     return out;
 }
 

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <span>
+#include <vector>
 
 #include "quadcut/map/raster.hpp"
 
@@ -35,11 +36,49 @@ struct Narrowing {
     bool has_jambs = false;
 };
 
-/// Measures a saddle between regions. `region_of(offset)` names the region of a cell of
-/// `clearance_m`; paths stay inside the region that they start in. O(cells within 5 m).
-[[nodiscard]] Narrowing measure_narrowing(
-    const Raster<float>& clearance_m, double resolution_m, const Saddle& saddle,
-    const std::function<std::uint32_t(std::size_t offset)>& region_of);
+/// Which region each cell is in: pieces that have been joined into regions.
+struct RegionsView {
+    const Raster<std::uint32_t>& pieces;
+    /// The region of each piece; 0 = none.
+    std::span<const std::uint32_t> region_of_piece;
+
+    [[nodiscard]] std::uint32_t region_at(std::size_t offset) const {
+        return region_of_piece[pieces.values[offset]];
+    }
+};
+
+/// Measures saddles; keeps its working memory (a window of 5 m around the saddle) between calls.
+class NarrowingGauge {
+public:
+    /// `clearance_m` must outlive the gauge.
+    NarrowingGauge(const Raster<float>& clearance_m, double resolution_m);
+
+    /// Paths stay inside the region that they start in. O(cells within 5 m).
+    [[nodiscard]] Narrowing measure(const Saddle& saddle, const RegionsView& regions);
+
+private:
+    /// What lies on one side of a saddle.
+    struct Side {
+        double peak_near_m = 0.0;
+        double peak_far_m = 0.0;
+        double reach_m = 0.0;
+    };
+
+    Side walk_outward(Cell seed, double half_width_m, const RegionsView& regions);
+    void visit(Cell cell, std::size_t steps, Cell seed, std::uint32_t region,
+               const RegionsView& regions, Side& side);
+
+    const Raster<float>& clearance_;
+    double resolution_m_;
+    /// Path lengths count in fifths of a cell: 5 straight, 7 diagonal.
+    double unit_m_;
+    std::int32_t radius_;
+    std::size_t side_;
+    /// A cell of the window has been seen in this walk when it holds the walk's number.
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t walk_ = 0;
+    std::vector<std::vector<Cell>> buckets_;
+};
 
 /// How clearly a narrowing is a door: the logarithm of the odds. Positive: keep the cut.
 [[nodiscard]] double door_log_odds(const Narrowing& narrowing);
