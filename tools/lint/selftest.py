@@ -94,7 +94,8 @@ class Layers(unittest.TestCase):
 class Budgets(unittest.TestCase):
     def test_good(self):
         self.assertEqual(budgets.check(tree_of(
-            src__io__a_cpp="int f() {\n" + "    f();\n" * 58 + "}\n// new\n#include <new>\n#define A 1\n")), [])
+            src__io__a_cpp="int f() {\n" + "    f();\n" * 58 + "}\n"
+            "// new\n#include <new>\n#define A 1\n")), [])
 
     def test_bad(self):
         for text in ("int f() {\n" + "    f();\n" * 59 + "}\n", "\n" * 401, "#define A(x) x\n",
