@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace quadcut {
+
+/// A choice among words; `value` is the index of the one that is set.
+struct Choice {
+    std::uint8_t* value = nullptr;
+    std::vector<std::string_view> words;
+};
+
+/// One option of a stage: where its value lives, and all that is said about it anywhere: on the
+/// command line, in files, in docs/options.md. The default is the value in the options struct.
+struct OptionField {
+    std::string_view name;
+    /// "m", "m^2", "1/m^2", "rad", or empty for a pure number.
+    std::string_view unit;
+    /// Smallest and largest value allowed (numbers only).
+    double low = 0.0;
+    double high = 0.0;
+    /// One line.
+    std::string_view text;
+    /// The equation or item of the paper that it belongs to; may be empty.
+    std::string_view source;
+    std::variant<double*, std::size_t*, Choice> value;
+};
+
+/// Sets the option called `name` from text. Throws InputError that names the option, what was
+/// expected, and for an unknown name the nearest known one.
+void set_option(const std::vector<OptionField>& fields, std::string_view name,
+                std::string_view text);
+
+/// The value as text that set_option() reads back.
+[[nodiscard]] std::string option_text(const OptionField& field);
+
+/// The word of `known` with the fewest edits to `word`; empty when all are far from it.
+[[nodiscard]] std::string_view nearest_word(std::string_view word,
+                                            const std::vector<std::string_view>& known);
+
+}  // namespace quadcut

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/option_field.hpp"
+#include "quadcut/graph/visibility.hpp"
+#include "quadcut/spectral/laplacian.hpp"
+
+namespace quadcut {
+
+/// `rooms`: rooms as people see them. `paper`: the method as published.
+enum class Preset : std::uint8_t { rooms, paper };
+
+/// How the connected components of the paper's graph are found.
+enum class ComponentSearch : std::uint8_t { traversal, null_space };
+
+/// The preset `rooms`. Two knobs are public; the rest is for experiments.
+struct RoomsOptions {
+    double granularity = 0.5;
+    double door_width_m = 4.0;
+    double min_component_m2 = 1.0;
+    double max_furniture_m2 = 0.3;
+    double max_eigenvalue_per_m2 = 0.4;
+    double full_clearance_m = 1.5;
+    double min_room_m2 = 1.5;
+};
+
+/// The preset `paper`.
+struct PaperOptions {
+    /// 0: chosen by silhouette.
+    std::size_t num_submaps = 0;
+    std::size_t max_submaps = 30;
+    double min_silhouette = 0.4;
+    LaplacianKind laplacian = LaplacianKind::degree;
+    SelfLoops self_loops = SelfLoops::own_weight;
+    ComponentSearch component_search = ComponentSearch::traversal;
+    double min_component_m2 = 1.0;
+    double min_submap_m2 = 4.0;
+    double max_submap_m2 = 400.0;
+    std::size_t max_route_edges = 60;
+    double min_relation_per_m = 1.0;
+};
+
+struct SegmentOptions {
+    Preset preset = Preset::rooms;
+    RoomsOptions rooms;
+    PaperOptions paper;
+    std::size_t num_threads = 2;
+    std::size_t seed = 1;
+};
+
+/// Every option by name, bound to the members of `options`, which must outlive the list.
+[[nodiscard]] std::vector<OptionField> option_fields(SegmentOptions& options);
+
+}  // namespace quadcut
