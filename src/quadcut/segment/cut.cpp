@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/cut.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/spectral/embedding.hpp"
+#include "quadcut/spectral/k_means.hpp"
+#include "quadcut/spectral/pivoted_qr.hpp"
+#include "quadcut/spectral/silhouette.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr std::size_t kRefineSteps = 10;
+
+EigenReport report_of(const Eigenpairs& pairs) {
+    return {pairs.num_nodes, pairs.values, pairs.residuals};
+}
+
+/// Numbers the connected parts of equal clusters, by first node.
+std::vector<std::uint32_t> connected_parts(const Graph& region,
+                                           const std::vector<std::uint32_t>& clusters) {
+    constexpr auto kNone = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> part(region.num_nodes(), kNone);
+    std::vector<std::uint32_t> stack;
+    std::uint32_t count = 0;
+    for (std::uint32_t seed = 0; seed < region.num_nodes(); ++seed) {
+        if (part[seed] != kNone) continue;
+        part[seed] = count;
+        stack.push_back(seed);
+        while (!stack.empty()) {
+            const std::uint32_t node = stack.back();
+            stack.pop_back();
+            for (const std::uint32_t next : region.neighbours(node)) {
+                if (part[next] != kNone || clusters[next] != clusters[node]) continue;
+                part[next] = count;
+                stack.push_back(next);
+            }
+        }
+        ++count;
+    }
+    return part;
+}
+
+/// The nodes of each part, ascending.
+std::vector<std::vector<std::uint32_t>> group_by_part(const std::vector<std::uint32_t>& part) {
+    std::vector<std::vector<std::uint32_t>> groups;
+    for (std::uint32_t node = 0; node < part.size(); ++node) {
+        if (part[node] >= groups.size()) groups.resize(part[node] + 1);
+        groups[part[node]].push_back(node);
+    }
+    return groups;
+}
+
+}  // namespace
+
+Pieces cut(const Graph& region, const CutOptions& options, const Executor& executor) {
+    Pieces pieces;
+    if (region.num_nodes() == 0) return pieces;
+    const std::size_t num_pairs =
+        options.num_pieces != 0 ? options.num_pieces : options.max_pieces;
+    EigenOptions eigen_options;
+    eigen_options.seed = options.seed;
+    const Eigenpairs pairs =
+        smallest_eigenpairs(region, options.laplacian, num_pairs, eigen_options, executor);
+    pieces.eigen.push_back(report_of(pairs));
+
+    Clustering clusters;
+    if (options.num_pieces != 0) {
+        KMeansOptions k_means;
+        k_means.seed = options.seed;
+        clusters = cluster_k_means(embed(pairs, options.num_pieces), options.num_pieces, k_means,
+                                   executor)
+                       .clustering;
+    } else {
+        ChooseOptions choose;
+        choose.max_clusters = options.max_pieces;
+        choose.accept_score = options.min_silhouette;
+        choose.k_means.seed = options.seed;
+        clusters = choose_num_clusters(pairs, choose, executor).clustering;
+    }
+    pieces.piece_of_node = connected_parts(region, clusters.labels);
+    pieces.count = 1 + *std::max_element(pieces.piece_of_node.begin(), pieces.piece_of_node.end());
+    return pieces;
+}
+
+Pieces over_cut(const Graph& region, const OverCutOptions& options, const Executor& executor) {
+    Pieces pieces;
+    pieces.piece_of_node.assign(region.num_nodes(), 0);
+    EigenOptions eigen_options;
+    eigen_options.seed = options.seed;
+    /// A part of the region that may have to be cut: its own graph, and its nodes in the region's.
+    struct Part {
+        Graph graph;
+        std::vector<std::uint32_t> nodes;
+    };
+    std::vector<Part> waiting;
+    for (auto& nodes : group_by_part(connected_components(region))) {
+        waiting.push_back({induced_subgraph(region, nodes), std::move(nodes)});
+    }
+    while (!waiting.empty()) {
+        const Part part = std::move(waiting.back());
+        waiting.pop_back();
+        const Eigenpairs pairs =
+            eigenpairs_below(part.graph, LaplacianKind::area, options.max_eigenvalue_per_m2,
+                             options.max_pairs, eigen_options, executor);
+        pieces.eigen.push_back(report_of(pairs));
+        const auto finish = [&](const std::vector<std::uint32_t>& nodes) {
+            for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
+            ++pieces.count;
+        };
+        if (pairs.size() < 2) {
+            finish(part.nodes);
+            continue;
+        }
+        const Embedding samples = embed(pairs, pairs.size());
+        const Clustering start = cluster_pivoted_qr(samples, executor);
+        const Clustering clusters =
+            refine_k_means(samples, start, kRefineSteps, executor).clustering;
+        const bool found_all = pairs.size() < options.max_pairs;
+        for (const auto& group : group_by_part(connected_parts(part.graph, clusters.labels))) {
+            std::vector<std::uint32_t> nodes;
+            nodes.reserve(group.size());
+            for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);
+            // A cut that made no progress would be tried for ever.
+            if (found_all || group.size() == part.nodes.size()) {
+                finish(nodes);
+            } else {
+                waiting.push_back({induced_subgraph(part.graph, group), std::move(nodes)});
+            }
+        }
+    }
+    return pieces;
+}
+
+}  // namespace quadcut
