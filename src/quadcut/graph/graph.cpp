@@ -3,6 +3,7 @@
 #include "quadcut/graph/graph.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -12,24 +13,35 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Sorts each row by column and adds up entries of the same column.
-void sort_and_merge_rows(Graph& graph) {
-    std::vector<std::pair<std::uint32_t, double>> row;
+/// Sorts each row by column without comparing: when the rows are dealt out to their columns in
+/// ascending order, each column of a symmetric matrix receives its rows sorted, and equal ones in
+/// the order they had.
+void sort_rows(Graph& graph) {
+    std::vector<std::uint32_t> columns(graph.columns.size());
+    std::vector<double> weights(graph.weights.size());
+    std::vector<std::size_t> next(graph.row_begin.begin(), graph.row_begin.end() - 1);
+    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+        for (std::size_t k = graph.row_begin[node]; k < graph.row_begin[node + 1]; ++k) {
+            const std::size_t slot = next[graph.columns[k]]++;
+            columns[slot] = node;
+            weights[slot] = graph.weights[k];
+        }
+    }
+    graph.columns = std::move(columns);
+    graph.weights = std::move(weights);
+}
+
+/// Adds up entries of the same column, which follow each other.
+void merge_equal_columns(Graph& graph) {
     std::size_t out = 0;
     for (std::size_t node = 0; node < graph.num_nodes(); ++node) {
-        row.clear();
-        for (std::size_t k = graph.row_begin[node]; k < graph.row_begin[node + 1]; ++k) {
-            row.emplace_back(graph.columns[k], graph.weights[k]);
-        }
-        std::stable_sort(row.begin(), row.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
         const std::size_t first = out;
-        for (const auto& [column, weight] : row) {
-            if (out > first && graph.columns[out - 1] == column) {
-                graph.weights[out - 1] += weight;
+        for (std::size_t k = graph.row_begin[node]; k < graph.row_begin[node + 1]; ++k) {
+            if (out > first && graph.columns[out - 1] == graph.columns[k]) {
+                graph.weights[out - 1] += graph.weights[k];
             } else {
-                graph.columns[out] = column;
-                graph.weights[out] = weight;
+                graph.columns[out] = graph.columns[k];
+                graph.weights[out] = graph.weights[k];
                 ++out;
             }
         }
@@ -66,22 +78,33 @@ Graph build_graph(std::span<const WeightedEdge> edges, std::vector<double> area_
         put(edge.a, edge.b, edge.weight);
         if (edge.a != edge.b) put(edge.b, edge.a, edge.weight);
     }
-    sort_and_merge_rows(graph);
+    sort_rows(graph);
+    merge_equal_columns(graph);
     return graph;
 }
 
 Graph induced_subgraph(const Graph& graph, std::span<const std::uint32_t> nodes) {
-    std::vector<std::uint32_t> new_index(graph.num_nodes(), kNone);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        new_index[nodes[i]] = static_cast<std::uint32_t>(i);
-    }
     Graph sub;
+    if (nodes.empty()) return sub;
+    if (std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()) != nodes.end() ||
+        nodes.back() >= graph.num_nodes()) {
+        throw std::logic_error("induced_subgraph: the nodes must exist and ascend");
+    }
+    // Only as wide as the nodes are apart: a graph falls into many small components.
+    const std::uint32_t first = nodes.front();
+    std::vector<std::uint32_t> new_index(std::size_t{nodes.back()} - first + 1, kNone);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        new_index[nodes[i] - first] = static_cast<std::uint32_t>(i);
+    }
     for (const std::uint32_t node : nodes) {
         const auto columns = graph.neighbours(node);
         const auto weights = graph.neighbour_weights(node);
         for (std::size_t k = 0; k < columns.size(); ++k) {
-            if (new_index[columns[k]] == kNone) continue;
-            sub.columns.push_back(new_index[columns[k]]);
+            const std::size_t place = std::size_t{columns[k]} - first;
+            if (columns[k] < first || place >= new_index.size() || new_index[place] == kNone) {
+                continue;
+            }
+            sub.columns.push_back(new_index[place]);
             sub.weights.push_back(weights[k]);
         }
         sub.row_begin.push_back(sub.columns.size());

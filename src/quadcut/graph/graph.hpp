@@ -40,7 +40,7 @@ struct Graph {
 [[nodiscard]] Graph build_graph(std::span<const WeightedEdge> edges, std::vector<double> area_m2);
 
 /// The graph that `nodes` (ascending, without repeats) induce; node i of the result is nodes[i].
-/// O(rows of those nodes).
+/// O(rows of those nodes + last node - first node). Throws std::logic_error if they are not so.
 [[nodiscard]] Graph induced_subgraph(const Graph& graph, std::span<const std::uint32_t> nodes);
 
 /// The connected component of each node, numbered from 0 by first node. O(nodes + edges).

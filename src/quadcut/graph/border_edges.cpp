@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/graph/border_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "quadcut/graph/edge_rows.hpp"
+#include "quadcut/graph/line_of_sight.hpp"
+#include "quadcut/graph/node_index.hpp"
+
+namespace quadcut {
+namespace {
+
+/// Of two squares side by side in a quadtree one spans the other's side, so what they share is the
+/// smaller side.
+double border_weight(const Leaf& leaf, const Leaf& other) {
+    const HalfCell a = centre(leaf);
+    const HalfCell b = centre(other);
+    const double shared = std::min(leaf.side_cells(), other.side_cells());
+    const auto dx = static_cast<double>(a.x - b.x);
+    const auto dy = static_cast<double>(a.y - b.y);
+    return 2.0 * shared / std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+std::vector<WeightedEdge> border_edges(const LeafTable& table, std::span<const LeafId> nodes,
+                                       const Executor& executor) {
+    const NodeIndex index(table, nodes);
+    return collect_edge_rows(
+        nodes.size(), executor, [&](std::uint32_t node, std::vector<WeightedEdge>& edges) {
+            const Leaf& leaf = table.leaf(nodes[node]);
+            const std::int32_t side = leaf.side_cells();
+            const Cell low = leaf.lower_left;
+            const auto append = [&](LeafId other) {
+                const std::optional<std::uint32_t> other_node = index.find(other);
+                if (!other_node.has_value()) return;
+                edges.push_back({node, *other_node, border_weight(leaf, table.leaf(other))});
+            };
+            // The cells just beyond the right side, and just beyond the top.
+            table.for_each_leaf_in({low.x + side, low.y}, {low.x + side, low.y + side - 1},
+                                   append);
+            table.for_each_leaf_in({low.x, low.y + side}, {low.x + side - 1, low.y + side},
+                                   append);
+        });
+}
+
+}  // namespace quadcut

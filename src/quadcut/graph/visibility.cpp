@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/graph/visibility.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "quadcut/graph/edge_rows.hpp"
+#include "quadcut/graph/line_of_sight.hpp"
+#include "quadcut/graph/node_index.hpp"
+
+namespace quadcut {
+namespace {
+
+struct Rectangle {
+    Cell low;
+    Cell high;
+};
+
+Rectangle bounding_box(const LeafTable& table, std::span<const LeafId> nodes) {
+    constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
+    Rectangle box{{kFar, kFar}, {-kFar, -kFar}};
+    for (const LeafId id : nodes) {
+        const Leaf& leaf = table.leaf(id);
+        const std::int32_t reach = leaf.side_cells() - 1;
+        box.low = {std::min(box.low.x, leaf.lower_left.x), std::min(box.low.y, leaf.lower_left.y)};
+        box.high = {std::max(box.high.x, leaf.lower_left.x + reach),
+                    std::max(box.high.y, leaf.lower_left.y + reach)};
+    }
+    return box;
+}
+
+double weight(double side_i_m, double side_j_m) {
+    // Eq. (2): w_ij = 1 / (eta (2^l_i + 2^l_j)). With eta = 1 / max(x_map, y_map) and a cell of
+    // layer l of side s = max(x_map, y_map) / 2^l this is w_ij = s_i s_j / (s_i + s_j), metres,
+    // whatever the size of the root.
+    return side_i_m * side_j_m / (side_i_m + side_j_m);
+}
+
+bool is_within_threshold(const Leaf& i, const Leaf& j) {
+    const HalfCell a = centre(i);
+    const HalfCell b = centre(j);
+    const std::int64_t sides = 2 * (std::int64_t{i.side_cells()} + j.side_cells());
+    const std::int64_t distance2 = (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+    // Eq. (3): Th_ij = 1.05 (s_i + s_j), both sides squared and times 20^2 to stay in integers.
+    return 400 * distance2 <= 441 * sides * sides;
+}
+
+class SightRow {
+public:
+    SightRow(const LeafTable& table, const NodeIndex& index, const BlockedCells& blocked,
+             double resolution_m)
+        : table_(table), index_(index), blocked_(blocked), resolution_m_(resolution_m) {}
+
+    /// Appends the edges from node i to finer leaves, and to equal ones that come later (rule 2).
+    void append(std::uint32_t node, LeafId id, std::vector<WeightedEdge>& edges) const {
+        const Leaf& leaf = table_.leaf(id);
+        const double side_m = leaf.side_cells() * resolution_m_;
+        // Rule 3: nothing farther than 2 * 1.05 sides of the coarser cell can pass eq. (3).
+        const HalfCell middle = centre(leaf);
+        const std::int64_t reach = 42 * std::int64_t{leaf.side_cells()} / 10;
+        const auto cell = [](std::int64_t x, std::int64_t y) {
+            return Cell{static_cast<std::int32_t>(x >> 1), static_cast<std::int32_t>(y >> 1)};
+        };
+        table_.for_each_leaf_in(
+            cell(middle.x - reach, middle.y - reach), cell(middle.x + reach, middle.y + reach),
+            [&](LeafId other_id) {
+                const Leaf& other = table_.leaf(other_id);
+                if (other.level > leaf.level || (other.level == leaf.level && other_id <= id) ||
+                    other.state != CellState::free || !is_within_threshold(leaf, other)) {
+                    return;
+                }
+                const std::optional<std::uint32_t> other_node = index_.find(other_id);
+                if (!other_node.has_value()) return;
+                if (!blocked_.sees(middle, centre(other), leaf.side_cells(), other.side_cells())) {
+                    return;
+                }
+                edges.push_back(
+                    {node, *other_node, weight(side_m, other.side_cells() * resolution_m_)});
+            });
+    }
+
+private:
+    const LeafTable& table_;
+    const NodeIndex& index_;
+    const BlockedCells& blocked_;
+    double resolution_m_;
+};
+
+}  // namespace
+
+std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const LeafId> nodes,
+                                      double resolution_m, SelfLoops self_loops,
+                                      const Executor& executor) {
+    const NodeIndex index(table, nodes);
+    if (nodes.empty()) return {};
+    const Rectangle box = bounding_box(table, nodes);
+    const BlockedCells blocked(table, box.low, box.high);
+    const SightRow row(table, index, blocked, resolution_m);
+
+    std::int32_t largest_side = 0;
+    for (const LeafId id : nodes) {
+        largest_side = std::max(largest_side, table.leaf(id).side_cells());
+    }
+    const auto loop_weight = [&](LeafId id) {
+        const double side_m = resolution_m * (self_loops == SelfLoops::own_weight
+                                                  ? table.leaf(id).side_cells()
+                                                  : largest_side);
+        return weight(side_m, side_m);
+    };
+
+    return collect_edge_rows(
+        nodes.size(), executor, [&](std::uint32_t node, std::vector<WeightedEdge>& edges) {
+            if (self_loops != SelfLoops::none) {
+                edges.push_back({node, node, loop_weight(nodes[node])});
+            }
+            row.append(node, nodes[node], edges);
+        });
+}
+
+std::vector<double> leaf_areas_m2(const LeafTable& table, std::span<const LeafId> nodes,
+                                  double resolution_m) {
+    std::vector<double> areas_m2;
+    areas_m2.reserve(nodes.size());
+    for (const LeafId id : nodes) {
+        const double side_m = table.leaf(id).side_cells() * resolution_m;
+        areas_m2.push_back(side_m * side_m);
+    }
+    return areas_m2;
+}
+
+}  // namespace quadcut
