@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/describe.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "quadcut/map/clearance.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr double kCorridorMinElongation = 3.5;
+constexpr double kCorridorMaxWidthM = 4.5;
+constexpr double kHallMinAreaM2 = 80.0;
+
+/// 1 where all four neighbours have the cell's own label: the cells inside a region's border.
+Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels) {
+    Raster<std::uint8_t> interior(labels.origin, labels.width, labels.height);
+    const auto width = static_cast<std::size_t>(labels.width);
+    for (std::size_t y = 1; y + 1 < static_cast<std::size_t>(labels.height); ++y) {
+        for (std::size_t x = 1; x + 1 < width; ++x) {
+            const std::size_t i = y * width + x;
+            const std::uint32_t label = labels.values[i];
+            interior.values[i] = label != 0 && labels.values[i - 1] == label &&
+                                         labels.values[i + 1] == label &&
+                                         labels.values[i - width] == label &&
+                                         labels.values[i + width] == label
+                                     ? 1
+                                     : 0;
+        }
+    }
+    return interior;
+}
+
+struct Shape {
+    std::size_t num_cells = 0;
+    double sum_x = 0.0;
+    double sum_y = 0.0;
+    /// The free cell farthest from the region's border, and that distance.
+    Cell deepest;
+    float depth_m = -1.0F;
+};
+
+std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
+                                  const GridMap& map, const Executor& executor) {
+    const Raster<float> depth = clearance_m(interior_of_regions(labels), map.resolution_m, executor);
+    std::vector<Shape> shapes(count + 1);
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (labels.values[i] == 0) continue;
+        const Cell cell = labels.cell(i);
+        Shape& shape = shapes[labels.values[i]];
+        ++shape.num_cells;
+        shape.sum_x += cell.x + 0.5;
+        shape.sum_y += cell.y + 0.5;
+        if (map.states.values[i] == CellState::free && depth.values[i] > shape.depth_m) {
+            shape.depth_m = depth.values[i];
+            shape.deepest = cell;
+        }
+    }
+    return shapes;
+}
+
+/// A corridor is long for its width and leads somewhere; a hall is large.
+RoomKind kind_of(const Shape& shape, double area_m2, double resolution_m, std::size_t num_doors) {
+    const double width_m = 2.0 * (static_cast<double>(shape.depth_m) + resolution_m);
+    const double elongation = area_m2 / (width_m * width_m);
+    if (elongation >= kCorridorMinElongation && width_m <= kCorridorMaxWidthM && num_doors >= 2) {
+        return RoomKind::corridor;
+    }
+    return area_m2 >= kHallMinAreaM2 ? RoomKind::hall : RoomKind::room;
+}
+
+std::string kind_word(RoomKind kind) {
+    switch (kind) {
+        case RoomKind::corridor:
+            return "corridor";
+        case RoomKind::hall:
+            return "hall";
+        case RoomKind::room:
+        case RoomKind::unknown:
+            break;
+    }
+    return "room";
+}
+
+}  // namespace
+
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels) {
+    std::vector<std::uint32_t> number;
+    std::uint32_t count = 0;
+    const auto width = static_cast<std::size_t>(labels.width);
+    for (std::size_t y = static_cast<std::size_t>(labels.height); y-- > 0;) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            const std::uint32_t label = labels.values[i];
+            if (label == 0) continue;
+            if (label >= number.size()) number.resize(label + 1, 0);
+            if (number[label] == 0) number[label] = ++count;
+            labels.values[i] = number[label];
+        }
+    }
+    return count;
+}
+
+std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
+                                 const GridMap& map, const std::vector<Door>& doors,
+                                 const Executor& executor) {
+    std::vector<std::size_t> num_doors(count + 1, 0);
+    for (const Door& door : doors) {
+        ++num_doors[index(door.a)];
+        ++num_doors[index(door.b)];
+    }
+    const std::vector<Shape> shapes = measure_shapes(labels, count, map, executor);
+    const auto in_map_frame = [&](double x_cells, double y_cells) {
+        return transform(map.map_from_image,
+                         {x_cells * map.resolution_m, y_cells * map.resolution_m});
+    };
+    std::vector<Room> rooms;
+    rooms.reserve(count);
+    for (std::uint32_t id = 1; id <= count; ++id) {
+        const Shape& shape = shapes[id];
+        const auto num_cells = static_cast<double>(shape.num_cells);
+        Room room;
+        room.id = RoomId{id};
+        room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
+        room.kind = kind_of(shape, room.area_m2, map.resolution_m, num_doors[id]);
+        room.name = kind_word(room.kind) + " " + std::to_string(id);
+        room.centroid = in_map_frame(shape.sum_x / num_cells, shape.sum_y / num_cells);
+        room.label_point = in_map_frame(shape.deepest.x + 0.5, shape.deepest.y + 0.5);
+        rooms.push_back(std::move(room));
+    }
+    return rooms;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/raster.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+/// Renumbers regions 1 .. count in reading order (first cell from the top left), without gaps.
+/// Returns the new count. O(cells).
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels);
+
+/// Area, centroid, label point, kind and name of each region 1 .. count, whose doors are given.
+/// Names are the kind and the id: "corridor 3". O(cells).
+[[nodiscard]] std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels,
+                                               std::uint32_t count, const GridMap& map,
+                                               const std::vector<Door>& doors,
+                                               const Executor& executor = {});
+
+}  // namespace quadcut

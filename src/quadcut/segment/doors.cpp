@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/doors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "quadcut/segment/narrowing.hpp"
+
+namespace quadcut {
+namespace {
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Where two regions touch: the cell of the region with the smaller label comes first.
+struct Contact {
+    Cell a;
+    Cell b;
+};
+
+std::map<Pair, std::vector<Contact>> find_contacts(const Raster<std::uint32_t>& labels) {
+    std::map<Pair, std::vector<Contact>> contacts;
+    const auto meet = [&](Cell p, Cell q) {
+        const std::uint32_t a = labels.at(p);
+        const std::uint32_t b = labels.at(q);
+        if (a == 0 || b == 0 || a == b) return;
+        contacts[{std::min(a, b), std::max(a, b)}].push_back(a < b ? Contact{p, q}
+                                                                   : Contact{q, p});
+    };
+    for (std::int32_t y = 0; y < labels.height; ++y) {
+        for (std::int32_t x = 0; x < labels.width; ++x) {
+            const Cell cell{labels.origin.x + x, labels.origin.y + y};
+            if (x + 1 < labels.width) meet(cell, {cell.x + 1, cell.y});
+            if (y + 1 < labels.height) meet(cell, {cell.x, cell.y + 1});
+        }
+    }
+    return contacts;
+}
+
+/// Splits the contacts of two regions into openings: contacts that follow each other without a gap.
+std::vector<std::vector<Contact>> split_into_openings(const std::vector<Contact>& contacts) {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> by_cell;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        by_cell[{contacts[i].a.y, contacts[i].a.x}].push_back(i);
+    }
+    std::vector<bool> seen(contacts.size(), false);
+    std::vector<std::vector<Contact>> openings;
+    for (std::size_t seed = 0; seed < contacts.size(); ++seed) {
+        if (seen[seed]) continue;
+        std::vector<std::size_t> members{seed};
+        seen[seed] = true;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const Cell at = contacts[members[i]].a;
+            for (std::int32_t dy = -2; dy <= 2; ++dy) {
+                for (std::int32_t dx = -2; dx <= 2; ++dx) {
+                    const auto found = by_cell.find({at.y + dy, at.x + dx});
+                    if (found == by_cell.end()) continue;
+                    for (const std::size_t next : found->second) {
+                        if (seen[next]) continue;
+                        seen[next] = true;
+                        members.push_back(next);
+                    }
+                }
+            }
+        }
+        std::sort(members.begin(), members.end());
+        std::vector<Contact> opening;
+        for (const std::size_t member : members) opening.push_back(contacts[member]);
+        openings.push_back(std::move(opening));
+    }
+    return openings;
+}
+
+Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& clearance) {
+    Saddle widest;
+    for (const Contact& contact : opening) {
+        const float height = std::min(clearance.at(contact.a), clearance.at(contact.b));
+        if (height > widest.clearance_m) widest = {contact.a, contact.b, height};
+    }
+    return widest;
+}
+
+/// The point of the obstacle cell `jamb` that faces the opening, metres in the map frame.
+Point jamb_point(Cell jamb, Cell other, double resolution_m, const Pose& map_from_image) {
+    const double dx = other.x - jamb.x;
+    const double dy = other.y - jamb.y;
+    const double length = std::max(1.0, std::hypot(dx, dy));
+    return transform(map_from_image, {(jamb.x + 0.5 + 0.5 * dx / length) * resolution_m,
+                                      (jamb.y + 0.5 + 0.5 * dy / length) * resolution_m});
+}
+
+/// Without jambs on both sides the ends of the contact stand for them.
+void use_ends_as_jambs(const std::vector<Contact>& opening, Narrowing& narrowing) {
+    const Cell first = opening.front().a;
+    Cell end = first;
+    const auto squared = [](Cell p, Cell q) {
+        const double dx = p.x - q.x;
+        const double dy = p.y - q.y;
+        return dx * dx + dy * dy;
+    };
+    for (const Contact& contact : opening) {
+        if (squared(contact.a, first) > squared(end, first)) end = contact.a;
+    }
+    narrowing.jambs = {first, end};
+}
+
+}  // namespace
+
+std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
+                             const Raster<float>& clearance_m, double resolution_m,
+                             const Pose& map_from_image, double min_width_m) {
+    std::vector<std::uint32_t> own(num_regions + 1);
+    std::iota(own.begin(), own.end(), 0U);
+    const RegionsView regions{labels, own};
+    NarrowingGauge gauge(clearance_m, resolution_m);
+    std::vector<Door> doors;
+    for (const auto& [pair, contacts] : find_contacts(labels)) {
+        for (const auto& opening : split_into_openings(contacts)) {
+            const Saddle saddle = widest_contact(opening, clearance_m);
+            if (saddle.clearance_m <= 0.0F) continue;
+            Narrowing narrowing = gauge.measure(saddle, regions);
+            if (!narrowing.has_jambs) use_ends_as_jambs(opening, narrowing);
+            Door door;
+            door.a = RoomId{pair.first};
+            door.b = RoomId{pair.second};
+            const auto& jambs = narrowing.jambs;
+            door.jamb_1 = jamb_point(jambs[0], jambs[1], resolution_m, map_from_image);
+            door.jamb_2 = jamb_point(jambs[1], jambs[0], resolution_m, map_from_image);
+            door.width_m = distance(door.jamb_1, door.jamb_2);
+            door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
+            if (door.width_m >= min_width_m) doors.push_back(door);
+        }
+    }
+    return doors;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+/// The openings between regions, each of them: two rooms may share several doors. `labels` 1 ..
+/// num_regions; `clearance_m` as the regions were made with; positions come out in the map frame.
+/// Openings narrower than `min_width_m` are left out. Ordered by a, b, then first cell.
+/// O(cells + 5 m around each opening).
+[[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
+                                           std::uint32_t num_regions,
+                                           const Raster<float>& clearance_m,
+                                           double resolution_m, const Pose& map_from_image,
+                                           double min_width_m = 0.3);
+
+}  // namespace quadcut

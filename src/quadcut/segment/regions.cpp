@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace quadcut {
+namespace {
+
+constexpr double kOutlineM = 0.1;
+constexpr double kMinShareOfBorder = 0.25;
+
+/// The offsets of a cell's neighbours inside the raster, 4 of them at most.
+struct Neighbours {
+    std::array<std::size_t, 4> offsets{};
+    std::size_t count = 0;
+    [[nodiscard]] const std::size_t* begin() const { return offsets.data(); }
+    [[nodiscard]] const std::size_t* end() const { return offsets.data() + count; }
+};
+
+template <typename T>
+Neighbours neighbours_of(const Raster<T>& raster, std::size_t cell) {
+    const auto width = static_cast<std::size_t>(raster.width);
+    Neighbours out;
+    const std::size_t x = cell % width;
+    if (x > 0) out.offsets[out.count++] = cell - 1;
+    if (x + 1 < width) out.offsets[out.count++] = cell + 1;
+    if (cell >= width) out.offsets[out.count++] = cell - width;
+    if (cell + width < raster.values.size()) out.offsets[out.count++] = cell + width;
+    return out;
+}
+
+/// The connected cells around `seed` for which `belongs` holds; they are marked in `seen`.
+template <typename T, typename Predicate>
+std::vector<std::size_t> grow(const Raster<T>& raster, std::size_t seed, std::vector<bool>& seen,
+                              const Predicate& belongs) {
+    std::vector<std::size_t> cells{seed};
+    seen[seed] = true;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (const std::size_t next : neighbours_of(raster, cells[i])) {
+            if (seen[next] || !belongs(next)) continue;
+            seen[next] = true;
+            cells.push_back(next);
+        }
+    }
+    return cells;
+}
+
+template <typename Key>
+std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
+    const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& p, const auto& q) {
+        return p.second < q.second;
+    });
+    return most == counts.end() ? 0 : most->first;
+}
+
+struct Part {
+    std::uint32_t label = 0;
+    std::vector<std::size_t> cells;
+};
+
+/// Every part of a region but its largest.
+std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
+    std::vector<bool> seen(labels.values.size(), false);
+    std::vector<Part> detached;
+    std::map<std::uint32_t, Part> largest;
+    for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
+        const std::uint32_t label = labels.values[seed];
+        if (label == 0 || seen[seed]) continue;
+        Part part{label, grow(labels, seed, seen, [&](std::size_t cell) {
+                      return labels.values[cell] == label;
+                  })};
+        Part& best = largest[label];
+        if (part.cells.size() > best.cells.size()) std::swap(part, best);
+        if (!part.cells.empty()) detached.push_back(std::move(part));
+    }
+    return detached;
+}
+
+/// Walks from the pocket through what is neither free nor labelled, up to `max_steps` cells, to
+/// rooms; counts the ways by room, and remembers where each cell was reached from.
+struct OutlineWalk {
+    std::map<std::uint32_t, std::size_t> ways;
+    std::map<std::size_t, std::size_t> reached_from;
+    std::vector<std::pair<std::uint32_t, std::size_t>> arrivals;
+    std::size_t num_starts = 0;
+};
+
+OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
+                                 const Raster<std::uint8_t>& free,
+                                 const std::vector<std::size_t>& pocket, std::size_t max_steps) {
+    OutlineWalk walk;
+    std::vector<std::size_t> front;
+    for (const std::size_t cell : pocket) {
+        for (const std::size_t next : neighbours_of(labels, cell)) {
+            if (free.values[next] != 0 || labels.values[next] != 0) continue;
+            if (walk.reached_from.emplace(next, cell).second) front.push_back(next);
+        }
+    }
+    walk.num_starts = front.size();
+    for (std::size_t step = 0; step < max_steps; ++step) {
+        std::vector<std::size_t> next_front;
+        for (const std::size_t cell : front) {
+            for (const std::size_t next : neighbours_of(labels, cell)) {
+                if (labels.values[next] != 0) {
+                    ++walk.ways[labels.values[next]];
+                    walk.arrivals.emplace_back(labels.values[next], cell);
+                } else if (free.values[next] == 0 &&
+                           walk.reached_from.emplace(next, cell).second) {
+                    next_front.push_back(next);
+                }
+            }
+        }
+        front.swap(next_front);
+    }
+    return walk;
+}
+
+}  // namespace
+
+void connect_regions(Raster<std::uint32_t>& labels) {
+    for (const Part& part : detached_parts(labels)) {
+        std::map<std::uint32_t, std::size_t> contacts;
+        for (const std::size_t cell : part.cells) {
+            for (const std::size_t next : neighbours_of(labels, cell)) {
+                const std::uint32_t other = labels.values[next];
+                if (other != 0 && other != part.label) ++contacts[other];
+            }
+        }
+        const std::uint32_t heir = most_frequent(contacts);
+        for (const std::size_t cell : part.cells) labels.values[cell] = heir;
+    }
+}
+
+void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                   double resolution_m, double max_pocket_m2) {
+    const auto max_cells =
+        static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));
+    const auto max_steps =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
+    std::vector<bool> seen(labels.values.size(), false);
+    for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
+        if (free.values[seed] == 0 || labels.values[seed] != 0 || seen[seed]) continue;
+        const std::vector<std::size_t> pocket =
+            grow(labels, seed, seen, [&](std::size_t cell) {
+                return free.values[cell] != 0 && labels.values[cell] == 0;
+            });
+        if (pocket.size() > max_cells) continue;
+        const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
+        const std::uint32_t room = most_frequent(walk.ways);
+        if (room == 0 || static_cast<double>(walk.ways.at(room)) <
+                             kMinShareOfBorder * static_cast<double>(walk.num_starts)) {
+            continue;
+        }
+        for (const std::size_t cell : pocket) labels.values[cell] = room;
+        for (const auto& [label, arrival] : walk.arrivals) {
+            if (label != room) continue;
+            for (std::size_t cell = arrival; labels.values[cell] == 0;
+                 cell = walk.reached_from.at(cell)) {
+                labels.values[cell] = room;
+            }
+        }
+    }
+}
+
+}  // namespace quadcut
