@@ -19,7 +19,7 @@ bool is_aligned_inside(const Leaf& leaf, const Root& root) {
     }
     const std::int32_t mask = leaf.side_cells() - 1;
     const auto inside = [&](std::int32_t low, std::int32_t root_low) {
-        return (low & mask) == 0 && low >= root_low &&
+        return low >= root_low && ((low - root_low) & mask) == 0 &&
                std::int64_t{low} + leaf.side_cells() <= std::int64_t{root_low} + root.side_cells();
     };
     return inside(leaf.lower_left.x, root.lower_left.x) &&
@@ -115,7 +115,7 @@ void LeafTable::add_small_leaf(std::uint32_t id) {
     }
     Tile& tile = tiles_[entry & ~kMixed];
     // In depth-first order the leaves of a tile follow each other, and there are 64 at most.
-    if (id - tile.first_leaf >= kTileSide * kTileSide) {
+    if (id - tile.first_leaf >= kTileCells) {
         throw std::logic_error("LeafTable: leaves are not in depth-first order");
     }
     const std::size_t corner = cell_in_tile(leaf.lower_left);

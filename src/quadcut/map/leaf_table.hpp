@@ -13,6 +13,7 @@
 #include "quadcut/base/ids.hpp"
 #include "quadcut/map/leaf.hpp"
 #include "quadcut/map/root.hpp"
+#include "quadcut/map/tile.hpp"
 
 namespace quadcut {
 
@@ -83,8 +84,6 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    static constexpr std::int32_t kTileBits = 3;
-    static constexpr std::int32_t kTileSide = 1 << kTileBits;
     static constexpr std::uint32_t kMixed = 0x8000'0000U;
     static constexpr std::uint32_t kNothing = 0xFFFF'FFFFU;
     static constexpr std::uint8_t kNoLeaf = 0xFF;
@@ -93,7 +92,7 @@ private:
     struct Tile {
         std::uint32_t first_leaf = 0;
         std::uint32_t num_leaves = 0;
-        std::array<std::uint8_t, kTileSide * kTileSide> offsets{};
+        std::array<std::uint8_t, kTileCells> offsets{};
     };
 
     [[nodiscard]] static std::size_t cell_in_tile(Cell cell) {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/map/tile.hpp"
+
+#include <bit>
+
+namespace quadcut {
+namespace {
+
+// Exchanges the two index bits whose difference is `shift`: moves the bits under `mask` up by it,
+// and those that stand there down.
+constexpr std::uint64_t swap_index_bits(std::uint64_t bits, std::uint64_t mask, int shift) {
+    const std::uint64_t moved = (bits ^ (bits >> shift)) & mask;
+    return bits ^ moved ^ (moved << shift);
+}
+
+// The lower left bits of the runs of 4 that are all set among runs that start at a bit of `starts`
+// and whose bits are 1 `stride` apart.
+constexpr TileMask full_quads(TileMask set, int stride, TileMask starts) {
+    const TileMask pairs = set & (set >> stride);
+    return pairs & (pairs >> (2 * stride)) & starts;
+}
+
+constexpr TileMask kQuads = 0x1111'1111'1111'1111U;
+constexpr TileMask kSixteens = 0x0001'0001'0001'0001U;
+
+}  // namespace
+
+TileMask morton_from_rows(std::uint64_t rows) {
+    // The index is y2 y1 y0 x2 x1 x0 and becomes y2 x2 y1 x1 y0 x0: three exchanges.
+    rows = swap_index_bits(rows, 0x0000'F0F0'0000'F0F0U, 12);  // y2 x2 y0 y1 x1 x0
+    rows = swap_index_bits(rows, 0x00F0'00F0'00F0'00F0U, 4);   // y2 x2 y1 y0 x1 x0
+    return swap_index_bits(rows, 0x0C0C'0C0C'0C0C'0C0CU, 2);
+}
+
+TileMask TileStates::of(CellState state) const {
+    switch (state) {
+        case CellState::free:
+            return free;
+        case CellState::occupied:
+            return occupied;
+        case CellState::unknown:
+            break;
+    }
+    return ~(free | occupied);
+}
+
+CellState TileStates::at(int position) const {
+    const TileMask bit = TileMask{1} << position;
+    return (free & bit) != 0       ? CellState::free
+           : (occupied & bit) != 0 ? CellState::occupied
+                                   : CellState::unknown;
+}
+
+TileStates states_of(const Tile& tile) {
+    std::uint64_t free = 0;
+    std::uint64_t occupied = 0;
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        free |= std::uint64_t{tile.values[i] < 0} << i;
+        occupied |= std::uint64_t{tile.values[i] > 0} << i;
+    }
+    return {morton_from_rows(free), morton_from_rows(occupied)};
+}
+
+TileStates uniform_states(CellState state) {
+    return {state == CellState::free ? kWholeTile : 0,
+            state == CellState::occupied ? kWholeTile : 0};
+}
+
+int TileLeaves::count() const {
+    return std::popcount(by_level[0]) + std::popcount(by_level[1]) + std::popcount(by_level[2]);
+}
+
+std::array<TileMask, kTileBits> TileLeaves::inner_nodes() const {
+    if (count() == 0) {
+        return {};
+    }
+    // A block of 4 is divided when its lower left cell is a leaf; one of 16 when it is none.
+    return {by_level[0] & kQuads, kSixteens & ~by_level[2], TileMask{1}};
+}
+
+TileLeaves leaves_of(const TileStates& states) {
+    TileLeaves leaves;
+    TileMask quads = 0;
+    TileMask sixteens = 0;
+    for (const CellState state : {CellState::unknown, CellState::free, CellState::occupied}) {
+        const TileMask cells = states.of(state);
+        if (cells == kWholeTile) {
+            return {};
+        }
+        const TileMask quads_of_state = full_quads(cells, 1, kQuads);
+        quads |= quads_of_state;
+        sixteens |= full_quads(quads_of_state, 4, kSixteens);
+    }
+    leaves.by_level[2] = sixteens;
+    leaves.by_level[1] = quads & ~(sixteens * 0x1111U);
+    leaves.by_level[0] = ~(quads * 0xFU);
+    return leaves;
+}
+
+}  // namespace quadcut

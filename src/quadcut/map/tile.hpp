@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "quadcut/map/grid_map.hpp"
+
+namespace quadcut {
+
+// A tile is 8 x 8 cells: one cache line.
+constexpr std::int32_t kTileBits = 3;
+constexpr std::int32_t kTileSide = 1 << kTileBits;
+constexpr std::size_t kTileCells = kTileSide * kTileSide;
+
+// A cell holds quantised log-odds of being occupied. 0: never observed, and an observed cell does
+// not come back to it. Negative: free. Positive: occupied. The bounds are close to 0, so that a
+// block which is seen a few times becomes one value and collapses; docs/decisions/0001.
+constexpr int kMinLogOdds = -4;
+constexpr int kMaxLogOdds = 11;
+
+[[nodiscard]] constexpr CellState state_of(int log_odds) {
+    return log_odds == 0  ? CellState::unknown
+           : log_odds < 0 ? CellState::free
+                          : CellState::occupied;
+}
+
+/// 8 x 8 cells of log-odds; cell (x, y) is at 8 y + x.
+struct alignas(kTileCells) Tile {
+    std::array<std::int8_t, kTileCells> values{};
+};
+
+/// A set of cells of one tile, one bit each, in Morton order: an aligned block of side 2^l is a run
+/// of 4^l bits.
+using TileMask = std::uint64_t;
+
+constexpr TileMask kWholeTile = ~TileMask{0};
+
+/// The mask of a tile whose bit 8 y + x stands for cell (x, y), in Morton order.
+[[nodiscard]] TileMask morton_from_rows(std::uint64_t rows);
+
+/// The states of the cells of one tile, without the log-odds.
+struct TileStates {
+    TileMask free = 0;
+    TileMask occupied = 0;
+
+    [[nodiscard]] TileMask of(CellState state) const;
+    /// The state of the cell at `position` in Morton order.
+    [[nodiscard]] CellState at(int position) const;
+    friend bool operator==(const TileStates&, const TileStates&) = default;
+};
+
+[[nodiscard]] TileStates states_of(const Tile& tile);
+[[nodiscard]] TileStates uniform_states(CellState state);
+
+/// Where the leaves of a tile that is not all of one state lie: by_level[l] has the bit of the
+/// lower left cell of every leaf of side 2^l. All empty when the whole tile has one state.
+struct TileLeaves {
+    std::array<TileMask, kTileBits> by_level{};
+
+    [[nodiscard]] int count() const;
+    /// The same for the blocks of side 2, 4 and 8 (index 0, 1, 2) that are divided.
+    [[nodiscard]] std::array<TileMask, kTileBits> inner_nodes() const;
+};
+
+[[nodiscard]] TileLeaves leaves_of(const TileStates& states);
+
+}  // namespace quadcut

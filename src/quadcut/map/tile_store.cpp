@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/map/tile_store.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadcut {
+
+TileStore::TileStore() : tiles_(kNumUniform) {
+    for (std::uint32_t entry = 0; entry < kNumUniform; ++entry) {
+        const int value = kMinLogOdds + static_cast<int>(entry);
+        tiles_[entry].values.fill(static_cast<std::int8_t>(value));
+    }
+}
+
+Tile& TileStore::writable_tile(Cell tile) {
+    std::uint32_t& entry = directory_.at(tile);
+    if (entry >= kNumUniform) {
+        return tiles_[entry];
+    }
+    const Tile uniform = tiles_[entry];
+    if (!free_.empty()) {
+        entry = free_.back();
+        free_.pop_back();
+        tiles_[entry] = uniform;
+        return tiles_[entry];
+    }
+    if (tiles_.size() == tiles_.capacity()) {
+        // A quarter at a time: half of a doubled pool would lie idle on average.
+        tiles_.reserve(tiles_.size() + std::max<std::size_t>(64, tiles_.size() / 4));
+    }
+    entry = static_cast<std::uint32_t>(tiles_.size());
+    tiles_.push_back(uniform);
+    return tiles_.back();
+}
+
+void TileStore::set_uniform(Cell tile, int log_odds) {
+    std::uint32_t& entry = directory_.at(tile);
+    if (entry >= kNumUniform) {
+        free_.push_back(entry);
+    }
+    entry = entry_of(log_odds);
+}
+
+void TileStore::collapse(Cell tile) {
+    if (is_uniform(tile)) {
+        return;
+    }
+    const auto& values = tiles_[directory_.at(tile)].values;
+    const std::int8_t first = values.front();
+    if (std::all_of(values.begin(), values.end(), [=](std::int8_t v) { return v == first; })) {
+        set_uniform(tile, first);
+    }
+}
+
+void TileStore::set_rectangle(Cell low, Cell high) {
+    Raster<std::uint32_t> larger(low, high.x - low.x + 1, high.y - low.y + 1, entry_of(0));
+    for (std::int32_t row = 0; row < directory_.height; ++row) {
+        const Cell first{directory_.origin.x, directory_.origin.y + row};
+        const auto from = directory_.values.begin() + std::ptrdiff_t{row} * directory_.width;
+        std::copy(from, from + directory_.width,
+                  larger.values.begin() + static_cast<std::ptrdiff_t>(larger.offset(first)));
+    }
+    directory_ = std::move(larger);
+}
+
+std::size_t TileStore::bytes() const {
+    return directory_.values.capacity() * sizeof(std::uint32_t) + tiles_.capacity() * sizeof(Tile) +
+           free_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace quadcut

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/map/raster.hpp"
+#include "quadcut/map/tile.hpp"
+
+namespace quadcut {
+
+/// Log-odds of a rectangle of tiles. A tile of one value costs its directory entry of four bytes,
+/// any other 64 bytes more; tiles that become uniform give their bytes back to a free list.
+///
+/// Directory entries are tile numbers. The first numbers are shared constant tiles, one for each
+/// value, so that a look-up is two loads and no branch whether its tile is uniform or not.
+class TileStore {
+public:
+    TileStore();
+
+    /// Log-odds of a cell; 0 outside the rectangle. O(1).
+    [[nodiscard]] int log_odds(Cell cell) const {
+        // One comparison a side: what is left of the rectangle wraps around to a large number.
+        const auto x = static_cast<std::uint32_t>((cell.x >> kTileBits) - directory_.origin.x);
+        const auto y = static_cast<std::uint32_t>((cell.y >> kTileBits) - directory_.origin.y);
+        if (x >= static_cast<std::uint32_t>(directory_.width) ||
+            y >= static_cast<std::uint32_t>(directory_.height)) {
+            return 0;
+        }
+        const std::size_t entry = std::size_t{y} * static_cast<std::uint32_t>(directory_.width) + x;
+        return tiles_[directory_.values[entry]].values[cell_in_tile(cell)];
+    }
+
+    /// Where a cell lies in its tile.
+    [[nodiscard]] static std::size_t cell_in_tile(Cell cell) {
+        return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +
+                                        (cell.x & (kTileSide - 1)));
+    }
+
+    /// Rectangle of the directory, in tiles.
+    [[nodiscard]] const Raster<std::uint32_t>& directory() const { return directory_; }
+    [[nodiscard]] bool contains(Cell tile) const { return directory_.contains(tile); }
+    /// @pre contains(tile), for all that follow.
+    [[nodiscard]] const Tile& tile(Cell tile) const { return tiles_[directory_.at(tile)]; }
+    /// All cells share one value and the tile holds no bytes of its own.
+    [[nodiscard]] bool is_uniform(Cell tile) const { return directory_.at(tile) < kNumUniform; }
+    /// The tile, with bytes of its own from now on. The reference dies with the next call.
+    [[nodiscard]] Tile& writable_tile(Cell tile);
+    void set_uniform(Cell tile, int log_odds);
+    /// Gives the bytes of the tile back if all its cells share one value.
+    void collapse(Cell tile);
+
+    /// Makes the rectangle `num_tiles` cover `low` .. `high` (tiles, inclusive); what it held
+    /// stays.
+    void set_rectangle(Cell low, Cell high);
+    /// Gives back what is held in reserve.
+    void shrink_to_fit() {
+        tiles_.shrink_to_fit();
+        free_.shrink_to_fit();
+    }
+
+    /// Tiles that hold bytes of their own.
+    [[nodiscard]] std::size_t num_tiles() const {
+        return tiles_.size() - kNumUniform - free_.size();
+    }
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    static constexpr std::uint32_t kNumUniform = kMaxLogOdds - kMinLogOdds + 1;
+    static constexpr std::uint32_t entry_of(int log_odds) {
+        return static_cast<std::uint32_t>(log_odds - kMinLogOdds);
+    }
+
+    Raster<std::uint32_t> directory_;
+    std::vector<Tile> tiles_;
+    std::vector<std::uint32_t> free_;
+};
+
+}  // namespace quadcut
