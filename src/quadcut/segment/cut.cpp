@@ -57,17 +57,20 @@ std::vector<std::vector<std::uint32_t>> group_by_part(const std::vector<std::uin
 
 }  // namespace
 
-Pieces cut(const Graph& region, const CutOptions& options, const Executor& executor) {
+Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
+           const Executor& executor) {
     Pieces pieces;
     if (region.num_nodes() == 0) return pieces;
     const std::size_t num_pairs =
         options.num_pieces != 0 ? options.num_pieces : options.max_pieces;
     EigenOptions eigen_options;
     eigen_options.seed = options.seed;
+    clock.begin("eigen");
     const Eigenpairs pairs =
         smallest_eigenpairs(region, options.laplacian, num_pairs, eigen_options, executor);
     pieces.eigen.push_back(report_of(pairs));
 
+    clock.begin("cluster");
     Clustering clusters;
     if (options.num_pieces != 0) {
         KMeansOptions k_means;
@@ -87,7 +90,8 @@ Pieces cut(const Graph& region, const CutOptions& options, const Executor& execu
     return pieces;
 }
 
-Pieces over_cut(const Graph& region, const OverCutOptions& options, const Executor& executor) {
+Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& clock,
+                const Executor& executor) {
     Pieces pieces;
     pieces.piece_of_node.assign(region.num_nodes(), 0);
     EigenOptions eigen_options;
@@ -104,6 +108,7 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, const Execut
     while (!waiting.empty()) {
         const Part part = std::move(waiting.back());
         waiting.pop_back();
+        clock.begin("eigen");
         const Eigenpairs pairs =
             eigenpairs_below(part.graph, LaplacianKind::area, options.max_eigenvalue_per_m2,
                              options.max_pairs, eigen_options, executor);
@@ -116,6 +121,7 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, const Execut
             finish(part.nodes);
             continue;
         }
+        clock.begin("cluster");
         const Embedding samples = embed(pairs, pairs.size());
         const Clustering start = cluster_pivoted_qr(samples, executor);
         const Clustering clusters =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/graph/graph.hpp"
 #include "quadcut/segment/segmentation.hpp"
 #include "quadcut/spectral/laplacian.hpp"
@@ -34,7 +35,7 @@ struct CutOptions {
 /// spectra of its components merged, their rows clustered by k-means, into a given number of
 /// clusters or the one with the best silhouette. A cluster that falls apart becomes several pieces.
 /// Throws NumericalError if the eigensolver fails its own checks.
-[[nodiscard]] Pieces cut(const Graph& region, const CutOptions& options,
+[[nodiscard]] Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
                          const Executor& executor = {});
 
 struct OverCutOptions {
@@ -50,7 +51,7 @@ struct OverCutOptions {
 /// column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.4 / m^2 gives
 /// pieces of about 30 m^2; every doorway is among the cuts, and so are many that are none.
 /// Throws NumericalError if the eigensolver fails its own checks.
-[[nodiscard]] Pieces over_cut(const Graph& region, const OverCutOptions& options,
+[[nodiscard]] Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& clock,
                               const Executor& executor = {});
 
 }  // namespace quadcut

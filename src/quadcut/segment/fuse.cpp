@@ -11,6 +11,10 @@
 namespace quadcut {
 namespace {
 
+/// From granularity 0 to 1 the threshold falls by so much: the range in which rooms differ.
+constexpr double kLogOddsOfGranularity = 12.0;
+constexpr double kNoDoor = -100.0;
+
 /// A saddle with the numbers of joins that its two regions had seen when it was last measured.
 struct Candidate {
     double key = 0.0;
@@ -70,6 +74,12 @@ public:
         return gauge_.measure(saddle, {pieces_, region_});
     }
 
+    /// The log-odds of a door; that of no door at all when the opening is too wide for one.
+    [[nodiscard]] double door_likeness(const Saddle& saddle, double max_width_m) {
+        if (2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) return kNoDoor;
+        return door_log_odds(measure(saddle));
+    }
+
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
         return saddles_[region];
     }
@@ -115,24 +125,25 @@ private:
     std::vector<std::map<std::uint32_t, Saddle>> saddles_;
 };
 
-void push_saddles(RegionGraph& regions, std::uint32_t region,
+void push_saddles(RegionGraph& regions, std::uint32_t region, double max_width_m,
                   std::priority_queue<Candidate>& queue) {
     for (const auto& [other, saddle] : regions.saddles(region)) {
-        queue.push({door_log_odds(regions.measure(saddle)), region, other, regions.version(region),
+        queue.push({regions.door_likeness(saddle, max_width_m), region, other, regions.version(region),
                     regions.version(other)});
     }
 }
 
 /// Joins across the least door-like saddle until every one left is a door.
-void join_across_wide_saddles(RegionGraph& regions, double min_log_odds) {
+void join_across_wide_saddles(RegionGraph& regions, const FuseOptions& options) {
     std::priority_queue<Candidate> queue;
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other < region) continue;
-            queue.push({door_log_odds(regions.measure(saddle)), region, other, 0, 0});
+            queue.push(
+                {regions.door_likeness(saddle, options.max_width_m), region, other, 0, 0});
         }
     }
-    while (!queue.empty() && queue.top().key < min_log_odds) {
+    while (!queue.empty() && queue.top().key < options.min_log_odds) {
         const Candidate top = queue.top();
         queue.pop();
         if (!regions.is_region(top.a) || !regions.is_region(top.b) ||
@@ -142,7 +153,7 @@ void join_across_wide_saddles(RegionGraph& regions, double min_log_odds) {
         const bool a_larger = regions.area_m2(top.a) >= regions.area_m2(top.b);
         const std::uint32_t heir = a_larger ? top.a : top.b;
         regions.join(heir, a_larger ? top.b : top.a);
-        push_saddles(regions, heir, queue);
+        push_saddles(regions, heir, options.max_width_m, queue);
     }
 }
 
@@ -170,11 +181,13 @@ void join_small_regions(RegionGraph& regions, double min_area_m2) {
 
 }  // namespace
 
+double fuse_threshold(double granularity) { return kLogOddsOfGranularity * (0.5 - granularity); }
+
 FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                   const Raster<float>& clearance_m, double resolution_m,
                   const FuseOptions& options) {
     RegionGraph regions(pieces, num_pieces, clearance_m, resolution_m);
-    join_across_wide_saddles(regions, options.min_log_odds);
+    join_across_wide_saddles(regions, options);
     join_small_regions(regions, options.min_area_m2);
 
     FusedRegions fused;

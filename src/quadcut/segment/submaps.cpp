@@ -152,7 +152,7 @@ std::size_t longest_route_edges(const Graph& graph) {
 }
 
 Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits,
-                      const CutOptions& options, const Executor& executor) {
+                      const CutOptions& options, StageClock& clock, const Executor& executor) {
     std::vector<std::vector<std::uint32_t>> waiting(pieces.count);
     for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
         waiting[pieces.piece_of_node[node]].push_back(node);
@@ -164,13 +164,14 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
     while (!waiting.empty()) {
         const std::vector<std::uint32_t> nodes = std::move(waiting.back());
         waiting.pop_back();
+        clock.begin("fuse");
         const Graph submap = induced_subgraph(graph, nodes);
         const double area_m2 =
             std::accumulate(submap.area_m2.begin(), submap.area_m2.end(), 0.0);
         const bool too_large = area_m2 > limits.max_area_m2 ||
                                longest_route_edges(submap) > limits.max_route_edges;
         Pieces parts;
-        if (too_large && nodes.size() > 2) parts = cut(submap, in_two, executor);
+        if (too_large && nodes.size() > 2) parts = cut(submap, in_two, clock, executor);
         if (parts.count < 2) {
             for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
             ++pieces.count;

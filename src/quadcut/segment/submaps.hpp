@@ -31,7 +31,8 @@ struct SubmapLimits {
 /// Divides submaps that are too large or too long, by the same cut into two. Parts that a cut can
 /// no more divide stay. O(log(pieces)) cuts of each submap.
 [[nodiscard]] Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits,
-                                    const CutOptions& options, const Executor& executor = {});
+                                    const CutOptions& options, StageClock& clock,
+                                    const Executor& executor = {});
 
 /// Fuses submaps by eq. (11), the largest coefficient first: those above the threshold, and small
 /// ones with any neighbour.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/raster.hpp"
+
+namespace quadcut {
+
+/// 1 where the map has the given state.
+[[nodiscard]] Raster<std::uint8_t> mask_of(const GridMap& map, CellState state);
+
+/// The cells of the map that a trajectory (metres, map frame) touches, in order; points outside the
+/// map are left out.
+[[nodiscard]] std::vector<Cell> visited_cells(const GridMap& map,
+                                              std::span<const Point> trajectory);
+
+/// The free space to be cut, 1 = inside: connected free cells (4 neighbours) of at least
+/// `min_area_m2` together. A component that covers more than half of the image's border is the
+/// ground outside and left out, unless the trajectory enters it, or nothing else is left. O(cells).
+[[nodiscard]] Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
+                                          double min_area_m2);
+
+}  // namespace quadcut

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/segment.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadcut/base/error.hpp"
+#include "quadcut/graph/border_edges.hpp"
+#include "quadcut/graph/visibility.hpp"
+#include "quadcut/map/clearance.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/basins.hpp"
+#include "quadcut/segment/cut.hpp"
+#include "quadcut/segment/describe.hpp"
+#include "quadcut/segment/doors.hpp"
+#include "quadcut/segment/fuse.hpp"
+#include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/open_space.hpp"
+#include "quadcut/segment/regions.hpp"
+#include "quadcut/segment/snap.hpp"
+#include "quadcut/segment/submaps.hpp"
+#include "quadcut/spectral/null_space.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr std::uint32_t kMaxRooms = 65535;
+
+/// The quadtree's leaves, and which of them are free: the nodes of the graph.
+struct FreeLeaves {
+    LeafTable table;
+    std::vector<LeafId> nodes;
+};
+
+FreeLeaves free_leaves(const GridMap& map) {
+    const OccupancyMap tree = OccupancyMap::from_grid(map);
+    FreeLeaves leaves{LeafTable(tree.leaves(), tree.root()), {}};
+    for (std::size_t i = 0; i < leaves.table.leaves().size(); ++i) {
+        if (leaves.table.leaves()[i].state == CellState::free) {
+            leaves.nodes.push_back(LeafId{static_cast<std::uint32_t>(i)});
+        }
+    }
+    return leaves;
+}
+
+/// A map whose free cells are the open ones.
+GridMap map_of(const Raster<std::uint8_t>& open, double resolution_m) {
+    GridMap map;
+    map.resolution_m = resolution_m;
+    map.states = Raster<CellState>(open.origin, open.width, open.height, CellState::occupied);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        if (open.values[i] != 0) map.states.values[i] = CellState::free;
+    }
+    return map;
+}
+
+/// Border edges; those in narrow places weigh less, so that cuts are drawn to doorways.
+Graph narrowness_graph(const FreeLeaves& leaves, const Raster<float>& clearance,
+                       double resolution_m, double full_clearance_m, const Executor& executor) {
+    std::vector<double> openness(leaves.nodes.size());
+    for (std::size_t node = 0; node < leaves.nodes.size(); ++node) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[node]);
+        const std::int32_t half = leaf.side_cells() / 2;
+        const Cell centre{leaf.lower_left.x + half, leaf.lower_left.y + half};
+        openness[node] =
+            std::min<double>(clearance.at(centre), full_clearance_m) / full_clearance_m;
+    }
+    std::vector<WeightedEdge> edges = border_edges(leaves.table, leaves.nodes, executor);
+    for (WeightedEdge& edge : edges) edge.weight *= std::min(openness[edge.a], openness[edge.b]);
+    return build_graph(edges, leaf_areas_m2(leaves.table, leaves.nodes, resolution_m));
+}
+
+/// Numbers, doors and descriptions: what both presets end with.
+void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<float>& clearance,
+              StageClock& clock, const Executor& executor, Segmentation& result) {
+    clock.begin("doors");
+    const std::uint32_t count = number_in_reading_order(labels);
+    if (count > kMaxRooms) {
+        throw InputError("the map has " + std::to_string(count) +
+                         " rooms: expected at most 65535, the range of a label");
+    }
+    result.doors = find_doors(labels, count, clearance, map.resolution_m, map.map_from_image);
+    result.rooms = describe_rooms(labels, count, map, result.doors, executor);
+    result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
+    std::transform(labels.values.begin(), labels.values.end(), result.labels.values.begin(),
+                   [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
+}
+
+Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std::uint64_t seed,
+                           std::span<const Point> trajectory, StageClock& clock,
+                           const Executor& executor) {
+    Segmentation result;
+    // 1. What is cut: connected free space, without specks and without the ground outside.
+    clock.begin("inside");
+    const Raster<std::uint8_t> kept = inside(map, trajectory, options.min_component_m2);
+    // 2. Clearance, in which furniture does not count.
+    clock.begin("clearance");
+    const Raster<std::uint8_t> open =
+        open_space(kept, map.resolution_m, {options.max_furniture_m2});
+    const Raster<float> clearance = clearance_m(open, map.resolution_m, executor);
+    // 3. The quadtree of the open space, and the graph of its leaves.
+    clock.begin("map");
+    const FreeLeaves leaves = free_leaves(map_of(open, map.resolution_m));
+    clock.begin("graph");
+    const Graph graph = narrowness_graph(leaves, clearance, map.resolution_m,
+                                         options.full_clearance_m, executor);
+    // 4. The spectral over-cut, its borders moved to the narrowest lines.
+    OverCutOptions over_cut_options;
+    over_cut_options.max_eigenvalue_per_m2 = options.max_eigenvalue_per_m2;
+    over_cut_options.seed = seed;
+    Pieces pieces = over_cut(graph, over_cut_options, clock, executor);
+    clock.begin("snap");
+    const Basins snapped = snap_to_basins(build_basins(clearance, map.resolution_m), leaves.table,
+                                          leaves.nodes, pieces.piece_of_node);
+    // 5. Pieces are fused unless a door is between them.
+    clock.begin("fuse");
+    FuseOptions fuse_options;
+    fuse_options.min_log_odds = fuse_threshold(options.granularity);
+    fuse_options.max_width_m = options.door_width_m;
+    fuse_options.min_area_m2 = options.min_room_m2;
+    FusedRegions rooms =
+        fuse(snapped.labels, snapped.count, clearance, map.resolution_m, fuse_options);
+    // 6. Rooms are connected, and what is enclosed by furniture belongs to the room around it.
+    connect_regions(rooms.labels);
+    adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m,
+                  options.min_component_m2);
+
+    result.report.num_leaves = leaves.nodes.size();
+    result.report.num_edges = graph.columns.size() / 2;
+    result.report.eigen = std::move(pieces.eigen);
+    complete(std::move(rooms.labels), map, clearance, clock, executor, result);
+    return result;
+}
+
+/// Components of the paper's graph with at least the given area; nodes ascending.
+std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
+                                                     const PaperOptions& options) {
+    const std::vector<std::uint32_t> component =
+        options.component_search == ComponentSearch::traversal
+            ? connected_components(graph)
+            : components_from_null_space(graph, options.laplacian);
+    std::vector<double> area_m2;
+    for (std::size_t node = 0; node < component.size(); ++node) {
+        if (component[node] >= area_m2.size()) area_m2.resize(component[node] + 1, 0.0);
+        area_m2[component[node]] += graph.area_m2[node];
+    }
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t node = 0; node < component.size(); ++node) {
+        if (area_m2[component[node]] >= options.min_component_m2) nodes.push_back(node);
+    }
+    return nodes;
+}
+
+/// Inside and outside: a submap that the trajectory does not cross is no part of the map.
+Raster<std::uint32_t> paint_submaps(const GridMap& map, const FreeLeaves& leaves,
+                                    std::span<const std::uint32_t> nodes, const Pieces& pieces,
+                                    std::span<const Point> trajectory) {
+    Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[nodes[i]]);
+        for (std::int32_t y = 0; y < leaf.side_cells(); ++y) {
+            for (std::int32_t x = 0; x < leaf.side_cells(); ++x) {
+                labels.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) =
+                    pieces.piece_of_node[i] + 1;
+            }
+        }
+    }
+    if (trajectory.empty()) return labels;
+    std::vector<bool> is_crossed(pieces.count + 1, false);
+    for (const Cell cell : visited_cells(map, trajectory)) is_crossed[labels.at(cell)] = true;
+    for (std::uint32_t& label : labels.values) {
+        if (!is_crossed[label]) label = 0;
+    }
+    return labels;
+}
+
+Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std::uint64_t seed,
+                           std::span<const Point> trajectory, StageClock& clock,
+                           const Executor& executor) {
+    Segmentation result;
+    // Algorithm 1: the quadtree. Undetected area makes no nodes.
+    clock.begin("map");
+    const FreeLeaves leaves = free_leaves(map);
+    // Algorithm 2, eqs. (2) and (3): the graph of leaves that see each other.
+    clock.begin("graph");
+    const Graph graph = build_graph(
+        sight_edges(leaves.table, leaves.nodes, map.resolution_m, options.self_loops, executor),
+        leaf_areas_m2(leaves.table, leaves.nodes, map.resolution_m));
+    // Small connected components are eliminated.
+    const std::vector<std::uint32_t> nodes = nodes_of_large_components(graph, options);
+    const Graph region = induced_subgraph(graph, nodes);
+    // Eqs. (4) to (9): the smallest eigenvectors, clustered.
+    CutOptions cut_options;
+    cut_options.laplacian = options.laplacian;
+    cut_options.num_pieces = options.num_submaps;
+    cut_options.max_pieces = options.max_submaps;
+    cut_options.min_silhouette = options.min_silhouette;
+    cut_options.seed = seed;
+    Pieces pieces = cut(region, cut_options, clock, executor);
+    result.report.eigen = pieces.eigen;
+    // Division and fusion between submaps; a number that is given is kept.
+    clock.begin("fuse");
+    if (options.num_submaps != 0) {
+        pieces = fuse_submaps_to(region, std::move(pieces),
+                                 static_cast<std::uint32_t>(options.num_submaps));
+    } else {
+        const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2,
+                                  options.max_route_edges, options.min_relation_per_m};
+        pieces = divide_submaps(region, std::move(pieces), limits, cut_options, clock, executor);
+        clock.begin("fuse");
+        pieces = fuse_submaps(region, std::move(pieces), limits);
+    }
+    Raster<std::uint32_t> labels = paint_submaps(map, leaves, nodes, pieces, trajectory);
+
+    result.report.num_leaves = leaves.nodes.size();
+    result.report.num_edges = graph.columns.size() / 2;
+    clock.begin("clearance");
+    const Raster<float> clearance =
+        clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);
+    complete(std::move(labels), map, clearance, clock, executor, result);
+    return result;
+}
+
+}  // namespace
+
+Segmentation segment(const GridMap& map, const SegmentOptions& options,
+                     std::span<const Point> trajectory, const StageCallback& on_stage) {
+    StageClock clock(on_stage);
+    const Executor executor{static_cast<int>(options.num_threads)};
+    Segmentation result =
+        options.preset == Preset::rooms
+            ? segment_rooms(map, options.rooms, options.seed, trajectory, clock, executor)
+            : segment_paper(map, options.paper, options.seed, trajectory, clock, executor);
+    result.report.stages_ms = clock.finish();
+    return result;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <span>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/base/stage_clock.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/options.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+/// Cuts a finished map into rooms, by the preset in `options`.
+///
+/// `trajectory`: where the robot has been, metres in the map frame; may be empty. It tells inside
+/// from outside. A map without free space gives no rooms. Deterministic: the same rooms for the
+/// same input, on any number of threads. Throws NumericalError if an eigensolver fails its checks,
+/// InputError if there are more than 65,535 rooms.
+[[nodiscard]] Segmentation segment(const GridMap& map, const SegmentOptions& options = {},
+                                   std::span<const Point> trajectory = {},
+                                   const StageCallback& on_stage = {});
+
+}  // namespace quadcut
