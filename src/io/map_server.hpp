@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/map_yaml.hpp"
+#include "quadcut/map/grid_map.hpp"
+
+namespace quadcut::io {
+
+struct MapReadOptions {
+    /// Metres a pixel of a bare image; replaces what a YAML says.
+    std::optional<double> resolution_m;
+    /// What `~` in a YAML's image path stands for; when empty, the user's entry in the system's
+    /// user database.
+    std::filesystem::path home_folder;
+};
+
+/// A map with where it came from.
+struct MapFile {
+    GridMap map;
+    MapKeys keys;
+    std::filesystem::path image_path;
+    bool has_yaml = false;
+    std::vector<std::string> warnings;
+    std::uint64_t content_hash = 0;  ///< of the YAML's bytes, then the image's
+};
+
+/// Reads a map_server YAML with its image, or a bare image (PNG or PGM by content), which is taken
+/// as trinary, at 0.05 m a pixel when options do not say, with its lower left corner at (0, 0).
+///
+/// States are map_server's. With v = the mean of the colours / the largest value, and
+/// occ = negate ? v : 1 - v: trinary: occupied from occupied_thresh up, free up to free_thresh, in
+/// between unknown. scale: the values in between are scaled to 0 .. 100; raw: the grey byte is the
+/// value, and 101 .. 255 are unknown; such a value is occupied from 65, free up to 25 (where
+/// map_saver, writing it as trinary, puts them), else unknown. In trinary and scale a pixel that is
+/// not opaque is unknown.
+///
+/// Warns when pixels of the grey that map_saver writes for unknown (205) come out free.
+/// Throws InputError that names the file and the place when anything cannot be read.
+[[nodiscard]] MapFile read_map(const std::filesystem::path& path,
+                               const MapReadOptions& options = {});
+
+/// A map and what should be said of it, without the name of the file.
+struct ParsedMap {
+    GridMap map;
+    std::vector<std::string> warnings;
+};
+
+/// The image as a map under the given keys; `name` stands in messages.
+[[nodiscard]] ParsedMap parse_map_image(std::string_view image_bytes, const std::string& name,
+                                        const MapKeys& keys);
+
+/// The keys that a bare image is read with. free_thresh is 0.19, not map_server's 0.196, so that
+/// 206, which other tools make of the unknown grey 205 when they convert an image, is unknown too.
+[[nodiscard]] MapKeys bare_image_keys();
+
+}  // namespace quadcut::io
