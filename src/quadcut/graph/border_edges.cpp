@@ -25,6 +25,25 @@ double border_weight(const Leaf& leaf, const Leaf& other) {
     return 2.0 * shared / std::sqrt(dx * dx + dy * dy);
 }
 
+/// Calls `visit(LeafId)` for each leaf that holds one of `count` cells from `first` on, in order.
+/// `step` is (1, 0) or (0, 1).
+template <typename Visitor>
+void for_each_leaf_along(const LeafTable& table, Cell first, Cell step, std::int32_t count,
+                         const Visitor& visit) {
+    for (std::int32_t i = 0; i < count;) {
+        const Cell cell{first.x + i * step.x, first.y + i * step.y};
+        const std::optional<LeafId> id = table.find(cell);
+        if (!id.has_value()) {
+            ++i;
+            continue;
+        }
+        visit(*id);
+        const Leaf& leaf = table.leaf(*id);
+        const Cell passed{cell.x - leaf.lower_left.x, cell.y - leaf.lower_left.y};
+        i += leaf.side_cells() - (step.x * passed.x + step.y * passed.y);
+    }
+}
+
 }  // namespace
 
 std::vector<WeightedEdge> border_edges(const LeafTable& table, std::span<const LeafId> nodes,
@@ -41,10 +60,8 @@ std::vector<WeightedEdge> border_edges(const LeafTable& table, std::span<const L
                 edges.push_back({node, *other_node, border_weight(leaf, table.leaf(other))});
             };
             // The cells just beyond the right side, and just beyond the top.
-            table.for_each_leaf_in({low.x + side, low.y}, {low.x + side, low.y + side - 1},
-                                   append);
-            table.for_each_leaf_in({low.x, low.y + side}, {low.x + side - 1, low.y + side},
-                                   append);
+            for_each_leaf_along(table, {low.x + side, low.y}, {0, 1}, side, append);
+            for_each_leaf_along(table, {low.x, low.y + side}, {1, 0}, side, append);
         });
 }
 

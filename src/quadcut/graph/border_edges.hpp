@@ -18,7 +18,7 @@ namespace quadcut {
 ///
 /// `nodes` are free leaves of the table, ascending; edge ends are positions in `nodes`. The left or
 /// lower leaf comes first; pairs ascend; each is there once. The same bytes on any number of
-/// threads. Time and memory O(edges + tiles along the borders).
+/// threads. Time O(edges + cells along borders with nothing beyond), memory O(edges).
 /// Throws std::logic_error if `nodes` is not as said.
 [[nodiscard]] std::vector<WeightedEdge> border_edges(const LeafTable& table,
                                                      std::span<const LeafId> nodes,

@@ -3,6 +3,7 @@
 #include "quadcut/graph/visibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -47,41 +48,58 @@ bool is_within_threshold(const Leaf& i, const Leaf& j) {
     return 400 * distance2 <= 441 * sides * sides;
 }
 
+/// On a grid of equal cells eq. (3) reaches these, in sides: one, sqrt 2 and two sides away.
+constexpr std::array<Cell, 12> kEqualNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1},
+                                                 {1, 1}, {-1, 1}, {-1, -1}, {1, -1},
+                                                 {2, 0}, {0, 2}, {-2, 0}, {0, -2}}};
+
+/// The row of one node: its edges to finer leaves, and to equal ones that come later (rule 2).
 class SightRow {
 public:
     SightRow(const LeafTable& table, const NodeIndex& index, const BlockedCells& blocked,
              double resolution_m)
         : table_(table), index_(index), blocked_(blocked), resolution_m_(resolution_m) {}
 
-    /// Appends the edges from node i to finer leaves, and to equal ones that come later (rule 2).
     void append(std::uint32_t node, LeafId id, std::vector<WeightedEdge>& edges) const {
         const Leaf& leaf = table_.leaf(id);
-        const double side_m = leaf.side_cells() * resolution_m_;
-        // Rule 3: nothing farther than 2 * 1.05 sides of the coarser cell can pass eq. (3).
+        const std::int32_t side = leaf.side_cells();
+        for (const Cell step : kEqualNeighbours) {
+            const std::optional<LeafId> other = table_.find(
+                {leaf.lower_left.x + step.x * side, leaf.lower_left.y + step.y * side});
+            if (other.has_value() && *other > id && table_.leaf(*other).level == leaf.level) {
+                append_if_seen(node, leaf, *other, edges);
+            }
+        }
+        if (leaf.level == 0) return;
+        // Rule 3, tighter: a finer leaf has half the side at most, so that nothing farther than
+        // 1.05 * 1.5 sides of the coarser one can pass eq. (3). In half cells that is 3.15 sides.
         const HalfCell middle = centre(leaf);
-        const std::int64_t reach = 42 * std::int64_t{leaf.side_cells()} / 10;
+        const std::int64_t reach = 315 * std::int64_t{side} / 100;
         const auto cell = [](std::int64_t x, std::int64_t y) {
             return Cell{static_cast<std::int32_t>(x >> 1), static_cast<std::int32_t>(y >> 1)};
         };
-        table_.for_each_leaf_in(
-            cell(middle.x - reach, middle.y - reach), cell(middle.x + reach, middle.y + reach),
-            [&](LeafId other_id) {
-                const Leaf& other = table_.leaf(other_id);
-                if (other.level > leaf.level || (other.level == leaf.level && other_id <= id) ||
-                    other.state != CellState::free || !is_within_threshold(leaf, other)) {
-                    return;
-                }
-                const std::optional<std::uint32_t> other_node = index_.find(other_id);
-                if (!other_node.has_value()) return;
-                if (!blocked_.sees(middle, centre(other), leaf.side_cells(), other.side_cells())) {
-                    return;
-                }
-                edges.push_back(
-                    {node, *other_node, weight(side_m, other.side_cells() * resolution_m_)});
-            });
+        table_.for_each_leaf_in(cell(middle.x - reach, middle.y - reach),
+                                cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
+                                    if (table_.leaf(other).level < leaf.level) {
+                                        append_if_seen(node, leaf, other, edges);
+                                    }
+                                });
     }
 
 private:
+    void append_if_seen(std::uint32_t node, const Leaf& leaf, LeafId other_id,
+                        std::vector<WeightedEdge>& edges) const {
+        const Leaf& other = table_.leaf(other_id);
+        if (other.state != CellState::free || !is_within_threshold(leaf, other)) return;
+        const std::optional<std::uint32_t> other_node = index_.find(other_id);
+        if (!other_node.has_value()) return;
+        const std::int32_t side = leaf.side_cells();
+        const std::int32_t other_side = other.side_cells();
+        if (!blocked_.sees(centre(leaf), centre(other), side, other_side)) return;
+        edges.push_back(
+            {node, *other_node, weight(side * resolution_m_, other_side * resolution_m_)});
+    }
+
     const LeafTable& table_;
     const NodeIndex& index_;
     const BlockedCells& blocked_;
