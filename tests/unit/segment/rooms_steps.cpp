@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "quadcut/map/clearance.hpp"
+#include "quadcut/segment/basins.hpp"
+#include "quadcut/segment/fuse.hpp"
+#include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/narrowing.hpp"
+#include "quadcut/segment/open_space.hpp"
+#include "tests/unit/segment/drawing.hpp"
+
+namespace quadcut {
+namespace {
+
+struct TwoRooms {
+    GridMap map = test::two_rooms();
+    Raster<std::uint8_t> free = mask_of(map, CellState::free);
+    Raster<float> clearance = clearance_m(free, map.resolution_m);
+    Basins basins = build_basins(clearance, map.resolution_m);
+};
+
+TEST(Basins, CoverTheOpenSpaceAndNothingElse) {
+    const TwoRooms rooms;
+    std::set<std::uint32_t> labels;
+    for (std::size_t i = 0; i < rooms.free.values.size(); ++i) {
+        EXPECT_EQ(rooms.free.values[i] != 0, rooms.basins.labels.values[i] != 0);
+        labels.insert(rooms.basins.labels.values[i]);
+    }
+    labels.erase(0);
+    EXPECT_EQ(labels.size(), rooms.basins.count);
+    EXPECT_EQ(*labels.rbegin(), rooms.basins.count);
+}
+
+TEST(Basins, AnEmptyMapHasNone) {
+    EXPECT_EQ(build_basins(Raster<float>{}, 0.05).count, 0U);
+    EXPECT_EQ(build_basins(Raster<float>({0, 0}, 5, 5), 0.05).count, 0U);
+}
+
+TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
+    const TwoRooms rooms;
+    // One region each side of the middle of the door.
+    Raster<std::uint32_t> halves({0, 0}, rooms.free.width, rooms.free.height);
+    for (std::size_t i = 0; i < halves.values.size(); ++i) {
+        if (rooms.free.values[i] != 0) halves.values[i] = halves.cell(i).x < 84 ? 1 : 2;
+    }
+    const std::vector<std::uint32_t> own{0, 1, 2};
+    NarrowingGauge gauge(rooms.clearance, rooms.map.resolution_m);
+    const Saddle saddle{{83, 38}, {84, 38}, rooms.clearance.at({83, 38})};
+    const Narrowing narrowing = gauge.measure(saddle, {halves, own});
+    EXPECT_NEAR(saddle.clearance_m, 0.45F, 0.03F);
+    EXPECT_DOUBLE_EQ(narrowing.narrower_side, std::log(1.6));
+    EXPECT_DOUBLE_EQ(narrowing.wider_side, std::log(2.2));
+    EXPECT_GT(narrowing.depth, 1.5);
+    EXPECT_GT(narrowing.jamb_m, 0.3) << "thin walls on both sides of the door";
+    ASSERT_TRUE(narrowing.has_jambs);
+    EXPECT_EQ(std::set<std::int32_t>({narrowing.jambs[0].y, narrowing.jambs[1].y}),
+              std::set<std::int32_t>({29, 48}));
+    EXPECT_GT(door_log_odds(narrowing), 0.0);
+    // The same gauge gives the same answer again: no state is left from the first walk.
+    EXPECT_DOUBLE_EQ(door_log_odds(gauge.measure(saddle, {halves, own})),
+                     door_log_odds(narrowing));
+}
+
+TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
+    GridMap map;
+    map.states = Raster<CellState>({0, 0}, 200, 44, CellState::occupied);
+    for (std::int32_t y = 2; y < 42; ++y) {
+        for (std::int32_t x = 2; x < 198; ++x) map.states.at({x, y}) = CellState::free;
+    }
+    const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), 0.05);
+    Raster<std::uint32_t> halves({0, 0}, 200, 44);
+    for (std::size_t i = 0; i < halves.values.size(); ++i) {
+        if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
+    }
+    NarrowingGauge gauge(clearance, 0.05);
+    const Narrowing narrowing = gauge.measure(
+        {{99, 21}, {100, 21}, clearance.at({99, 21})}, {halves, std::vector<std::uint32_t>{0, 1, 2}});
+    EXPECT_LT(door_log_odds(narrowing), 0.0);
+}
+
+TEST(Fuse, KeepsTheCutInTheDoorwayAndNoOther) {
+    const TwoRooms rooms;
+    const FusedRegions fused =
+        fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, rooms.map.resolution_m);
+    ASSERT_EQ(fused.count, 2U);
+    EXPECT_NE(fused.labels.at({40, 40}), fused.labels.at({120, 40}));
+    ASSERT_EQ(fused.cuts.size(), 1U);
+    EXPECT_NEAR(fused.cuts[0].saddle.a.x, 84, 4);
+    EXPECT_GT(fused.cuts[0].log_odds, 0.0);
+}
+
+TEST(Fuse, OpeningsBeyondTheDoorWidthSeparateNothing) {
+    const TwoRooms rooms;
+    FuseOptions options;
+    options.max_width_m = 0.6;
+    EXPECT_EQ(fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count,
+              1U);
+}
+
+TEST(Fuse, SmallRegionsJoinANeighbour) {
+    const TwoRooms rooms;
+    FuseOptions options;
+    options.min_area_m2 = 20.0;
+    EXPECT_EQ(fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count,
+              1U);
+}
+
+TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
+    const TwoRooms rooms;
+    std::uint32_t previous = 0;
+    for (const double granularity : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        FuseOptions options;
+        options.min_log_odds = fuse_threshold(granularity);
+        const std::uint32_t count =
+            fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count;
+        EXPECT_GE(count, previous);
+        previous = count;
+    }
+    EXPECT_DOUBLE_EQ(fuse_threshold(0.5), 0.0);
+}
+
+TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {
+    const std::vector<std::string> rows{
+        "####################",  //
+        "#..................#",  //
+        "#..##..............#",  // a leg of 0.2 x 0.2 m
+        "#..##......####....#",  // a box drawn as an outline
+        "#..........#..#....#",  //
+        "#..........####....#",  //
+        "#...............####",  // a stub of wall
+        "#..................#",  //
+        "####################"};
+    Raster<std::uint8_t> kept = test::drawn_mask(rows, '.', 2);
+    // The inside of the box is no part of what is kept.
+    for (std::int32_t y = 8; y < 10; ++y) {
+        for (std::int32_t x = 24; x < 28; ++x) kept.at({x, y}) = 0;
+    }
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, {0.3});
+    EXPECT_EQ(open.at({7, 12}), 1) << "leg";
+    EXPECT_EQ(open.at({22, 8}), 1) << "outline of the box";
+    EXPECT_EQ(open.at({25, 8}), 1) << "inside of the box";
+    EXPECT_EQ(open.at({34, 5}), 0) << "stub of wall";
+    EXPECT_EQ(open.at({0, 0}), 0) << "outer wall";
+    EXPECT_EQ(open_space(kept, 0.05, {0.01}).values, kept.values) << "nothing is that small";
+}
+
+}  // namespace
+}  // namespace quadcut
