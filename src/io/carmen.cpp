@@ -157,16 +157,12 @@ Scan CarmenReader::make_scan(LaserLine laser, const Line& line) {
         max_range_m = std::min(max_range_m, rear_max_range_m_);
     }
     ++counts_.scans;
-    return {laser.laser_pose,
-            laser.first_angle_rad,
-            laser.angle_step_rad,
-            as_range(options_.max_range_m.value_or(max_range_m)),
-            last_time_s_,
-            std::move(laser.ranges_m)};
+    return {laser.laser_pose,     laser.first_angle_rad,
+            laser.angle_step_rad, as_range(options_.max_range_m.value_or(max_range_m)),
+            last_time_s_,         std::move(laser.ranges_m)};
 }
 
-void CarmenReader::read_other(std::string_view message, std::string_view fields,
-                              const Line& line) {
+void CarmenReader::read_other(std::string_view message, std::string_view fields, const Line& line) {
     if (!is_message_name(message)) {
         note(counts_.garbage_lines, line, "expected a message, found " + quote(line.text));
         return;

@@ -20,7 +20,7 @@ namespace quadcut::io {
 
 struct LogReadOptions {
     /// A reading from here on means "no return"; when not given, what the log states or shows.
-    std::optional<double> max_range_m;
+    std::optional<double> max_range_m = {};
 };
 
 /// How often something was wrong in a log, and where first.

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "quadcut/base/error.hpp"
 
@@ -97,8 +97,8 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     for (int attempt = 0; attempt < kMaxTemporaryNames && descriptor < 0; ++attempt) {
         temporary = stem + std::to_string(attempt);
         constexpr mode_t kReadWriteForAll = 0666;  // The process's umask takes the rest away.
-        descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                            kReadWriteForAll);
+        descriptor =
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kReadWriteForAll);
         if (descriptor < 0 && errno != EEXIST) break;
     }
     if (descriptor < 0) fail(path, "cannot be written", errno);

@@ -13,11 +13,11 @@ bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
 
 bool is_pgm(std::string_view bytes) { return bytes.starts_with("P2") || bytes.starts_with("P5"); }
 
-ImageHeader parse_image(std::string_view bytes, const std::string& name,
-                        const ImageRowSink& sink) {
+ImageHeader parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
     if (is_png(bytes)) return parse_png(bytes, name, sink);
     if (is_pgm(bytes)) return parse_pgm(bytes, name, sink);
-    throw InputError(name + (bytes.empty() ? ": the file is empty" : ": not an image that is read") +
+    throw InputError(name +
+                     (bytes.empty() ? ": the file is empty" : ": not an image that is read") +
                      ", expected a PNG or a PGM (P2, P5)");
 }
 
@@ -29,8 +29,8 @@ Image read_image(const std::filesystem::path& path) {
             image.samples.resize(header.row_samples() * static_cast<std::size_t>(header.height));
         }
         std::copy(samples.begin(), samples.end(),
-                  image.samples.begin() + static_cast<std::ptrdiff_t>(
-                                              static_cast<std::size_t>(y) * header.row_samples()));
+                  image.samples.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) *
+                                                                      header.row_samples()));
     };
     image.header = parse_image(read_file(path), display_name(path), keep_row);
     return image;

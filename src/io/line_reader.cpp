@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/line_reader.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <limits>
 #include <new>
 #include <utility>
 #include <vector>
+
+#include <zlib.h>
 
 #include "quadcut/base/error.hpp"
 

@@ -2,9 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/map_server.hpp"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +9,9 @@
 #include <cstddef>
 #include <span>
 #include <utility>
+
+#include <pwd.h>
+#include <unistd.h>
 
 #include "io/file.hpp"
 #include "io/image.hpp"
@@ -56,8 +56,8 @@ public:
           uses_alpha_(header.channels % 2 == 0 && keys.mode != MapMode::raw) {
         const std::size_t brightest = num_colors_ * static_cast<std::size_t>(header.max_value);
         for (std::size_t sum = 0; sum <= brightest; ++sum) {
-            states_.push_back(state_of_shade(
-                static_cast<double>(sum) / static_cast<double>(brightest), keys));
+            states_.push_back(
+                state_of_shade(static_cast<double>(sum) / static_cast<double>(brightest), keys));
         }
         counts_.resize(states_.size());
     }
@@ -74,7 +74,8 @@ public:
 
     /// How many pixels of a grey in first .. last, on the scale of 0 .. 255, are free.
     [[nodiscard]] std::uint64_t count_free(double first, double last) const {
-        const double scale = static_cast<double>(kMaxByte) / static_cast<double>(states_.size() - 1);
+        const double scale =
+            static_cast<double>(kMaxByte) / static_cast<double>(states_.size() - 1);
         std::uint64_t count = 0;
         for (std::size_t sum = 0; sum < states_.size(); ++sum) {
             const double grey = static_cast<double>(sum) * scale;
@@ -202,8 +203,9 @@ MapFile read_map(const std::filesystem::path& path, const MapReadOptions& option
     } else {
         file.keys.image = path.filename().string();
         if (!options.resolution_m) {
-            file.warnings.push_back(name + ": an image states no resolution, taken as 0.05 m a "
-                                           "pixel");
+            file.warnings.push_back(name +
+                                    ": an image states no resolution, taken as 0.05 m a "
+                                    "pixel");
         }
     }
     file.keys.resolution_m = options.resolution_m.value_or(file.keys.resolution_m);

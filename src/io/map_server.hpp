@@ -16,10 +16,10 @@ namespace quadcut::io {
 
 struct MapReadOptions {
     /// Metres a pixel of a bare image; replaces what a YAML says.
-    std::optional<double> resolution_m;
+    std::optional<double> resolution_m = {};
     /// What `~` in a YAML's image path stands for; when empty, the user's entry in the system's
     /// user database.
-    std::filesystem::path home_folder;
+    std::filesystem::path home_folder = {};
 };
 
 /// A map with where it came from.

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/map_yaml.hpp"
 
-#include <yaml.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,8 @@
 #include <new>
 #include <optional>
 #include <vector>
+
+#include <yaml.h>
 
 #include "io/fields.hpp"
 #include "quadcut/base/error.hpp"
@@ -26,8 +26,8 @@ class YamlDocument {
 public:
     YamlDocument(std::string_view bytes, const std::string& name) {
         if (yaml_parser_initialize(&parser_) == 0) throw std::bad_alloc();
-        yaml_parser_set_input_string(
-            &parser_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+        yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                     bytes.size());
         if (yaml_parser_load(&parser_, &document_) == 0) {
             const std::string problem = describe_problem();
             yaml_parser_delete(&parser_);
@@ -67,8 +67,9 @@ public:
     KeyReader(YamlDocument& document, const std::string& name) : document_(document), name_(name) {
         root_ = document.root();
         if (root_ == nullptr || root_->type != YAML_MAPPING_NODE) {
-            throw InputError(name + ": expected the keys of a map_server YAML (image, resolution, "
-                                    "origin, ...)");
+            throw InputError(name +
+                             ": expected the keys of a map_server YAML (image, resolution, "
+                             "origin, ...)");
         }
     }
 
@@ -189,9 +190,12 @@ private:
 
 std::string to_string(MapMode mode) {
     switch (mode) {
-        case MapMode::scale: return "scale";
-        case MapMode::raw: return "raw";
-        case MapMode::trinary: break;
+        case MapMode::scale:
+            return "scale";
+        case MapMode::raw:
+            return "raw";
+        case MapMode::trinary:
+            break;
     }
     return "trinary";
 }

@@ -169,8 +169,8 @@ std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source) 
     std::string bytes = "P5\n" + std::to_string(header.width) + " " +
                         std::to_string(header.height) + "\n" + std::to_string(header.max_value) +
                         "\n";
-    bytes.reserve(bytes.size() + header.row_samples() * static_cast<std::size_t>(header.height) *
-                                     (wide ? 2 : 1));
+    bytes.reserve(bytes.size() +
+                  header.row_samples() * static_cast<std::size_t>(header.height) * (wide ? 2 : 1));
     std::vector<std::uint16_t> row(header.row_samples());
     for (std::int32_t y = 0; y < header.height; ++y) {
         source(y, row);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <png.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 #include <utility>
+
+#include <png.h>
 
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
@@ -159,8 +159,8 @@ void widen(const std::vector<png_byte>& packed, bool wide, std::vector<std::uint
 
 /// Calls `sink` for each row. The passes of an interlaced image fill all rows before the first is
 /// complete, so such an image is held as a whole.
-void read_rows(Decoder& decoder, const ImageHeader& header, int num_passes,
-               const std::string& name, const ImageRowSink& sink) {
+void read_rows(Decoder& decoder, const ImageHeader& header, int num_passes, const std::string& name,
+               const ImageRowSink& sink) {
     const bool wide = header.max_value == kMaxWord;
     const std::size_t row_bytes = png_get_rowbytes(decoder.png, decoder.info);
     std::vector<std::uint16_t> samples(header.row_samples());

@@ -19,8 +19,8 @@ struct TimedPose {
 
 /// Reads a trajectory, plain or gzip, in the order of its lines: TUM (`t x y z qx qy qz qw`; z is
 /// left out, yaw is the turn about z of the normalised quaternion) or g2o (VERTEX_SE2
-/// `id x y yaw`, VERTEX_SE3:QUAT `id x y z qx qy qz qw`, the id as time; edges and other entries are
-/// ignored), told apart by the first line that is neither blank nor a comment (`#`). Throws
+/// `id x y yaw`, VERTEX_SE3:QUAT `id x y z qx qy qz qw`, the id as time; edges and other entries
+/// are ignored), told apart by the first line that is neither blank nor a comment (`#`). Throws
 /// InputError that names the line when one is malformed or not finite, or when there is no pose.
 [[nodiscard]] std::vector<TimedPose> read_poses(const std::filesystem::path& path);
 [[nodiscard]] std::vector<TimedPose> parse_poses(std::string_view bytes, const std::string& name);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/line_reader.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "tests/unit/io/scratch.hpp"
+
+namespace quadcut::io {
+namespace {
+
+using test::error_of;
+
+std::string gzip(std::string_view bytes) {
+    z_stream stream{};
+    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    std::string packed(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
+}
+
+std::vector<std::string> lines_of(std::string_view bytes, LineLimits limits = {}) {
+    LineReader reader(bytes, "x.log", limits);
+    std::vector<std::string> lines;
+    while (const auto line = reader.next()) {
+        EXPECT_EQ(line->number, lines.size() + 1);
+        lines.emplace_back(line->text);
+        if (line->too_long) lines.back() += " (too long)";
+        if (!line->ended) lines.back() += " (no end)";
+    }
+    return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(LineReader, SplitsAtBothKindsOfLineEnd) {
+    EXPECT_EQ(lines_of(""), Lines{});
+    EXPECT_EQ(lines_of("\n"), Lines{""});
+    EXPECT_EQ(lines_of("a\r\n\nb\n"), (Lines{"a", "", "b"}));
+    EXPECT_EQ(lines_of("a\nb"), (Lines{"a", "b (no end)"}));
+}
+
+TEST(LineReader, KeepsNulBytes) {
+    EXPECT_EQ(lines_of(std::string_view("a\0b\n", 4)), Lines{std::string("a\0b", 3)});
+}
+
+TEST(LineReader, CutsLinesThatAreTooLong) {
+    const LineLimits limits{.max_line_bytes = 4};
+    EXPECT_EQ(lines_of("1234\n12345\n1\n123456789", limits),
+              (Lines{"1234", "1234 (too long)", "1", "1234 (too long) (no end)"}));
+}
+
+TEST(LineReader, UnpacksGzipByContent) {
+    EXPECT_EQ(lines_of(gzip("a\r\n\nb\nc")), (Lines{"a", "", "b", "c (no end)"}));
+    EXPECT_EQ(lines_of(gzip("")), Lines{});
+}
+
+TEST(LineReader, LinesSpanPiecesOfTheUnpackedBytes) {
+    std::string text;
+    Lines expected;
+    for (int i = 0; i < 2000; ++i) {
+        expected.push_back(std::to_string(i) + std::string(static_cast<std::size_t>(i), 'x'));
+        text += expected.back() + "\n";
+    }
+    EXPECT_EQ(lines_of(gzip(text)), expected);
+    EXPECT_EQ(lines_of(text), expected);
+}
+
+TEST(LineReader, ReadsJoinedGzipFilesAndIgnoresPadding) {
+    EXPECT_EQ(lines_of(gzip("a\nb") + gzip("c\nd\n")), (Lines{"a", "bc", "d"}));
+    EXPECT_EQ(lines_of(gzip("a\n") + std::string(512, '\0')), Lines{"a"});
+}
+
+TEST(LineReader, RefusesDamagedGzip) {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += std::to_string(i * 7919) + "\n";
+    const std::string packed = gzip(text);
+    const std::string cut = packed.substr(0, packed.size() / 2);
+    EXPECT_EQ(error_of([&] { lines_of(cut); }),
+              "x.log: byte " + std::to_string(cut.size()) + ": the compressed data end early");
+    std::string wrong_sum = packed;
+    wrong_sum[packed.size() - 6] = static_cast<char>(wrong_sum[packed.size() - 6] ^ 1);
+    EXPECT_NE(error_of([&] { lines_of(wrong_sum); }).find("damaged compressed data"),
+              std::string::npos);
+    EXPECT_NE(error_of([] { lines_of("\x1f\x8bnonsense"); }).find("x.log: byte "),
+              std::string::npos);
+}
+
+TEST(LineReader, RefusesToUnpackWithoutEnd) {
+    const std::string packed = gzip(std::string(std::size_t{1} << 20U, '\n'));
+    const LineLimits limits{.max_total_bytes = 500'000};
+    EXPECT_EQ(error_of([&] { lines_of(packed, limits); }),
+              "x.log: unpacks to more than the 500000 bytes that are read at most");
+}
+
+}  // namespace
+}  // namespace quadcut::io
