@@ -26,21 +26,19 @@ double border_weight(const Leaf& leaf, const Leaf& other) {
 }
 
 /// Calls `visit(LeafId)` for each leaf that holds one of `count` cells from `first` on, in order.
-/// `step` is (1, 0) or (0, 1).
+/// `step` is (1, 0) or (0, 1). The cells are those beyond one side of a leaf, so that a leaf among
+/// them begins where it is met, or is as long as all of them.
 template <typename Visitor>
 void for_each_leaf_along(const LeafTable& table, Cell first, Cell step, std::int32_t count,
                          const Visitor& visit) {
     for (std::int32_t i = 0; i < count;) {
-        const Cell cell{first.x + i * step.x, first.y + i * step.y};
-        const std::optional<LeafId> id = table.find(cell);
+        const std::optional<LeafId> id = table.find({first.x + i * step.x, first.y + i * step.y});
         if (!id.has_value()) {
             ++i;
             continue;
         }
         visit(*id);
-        const Leaf& leaf = table.leaf(*id);
-        const Cell passed{cell.x - leaf.lower_left.x, cell.y - leaf.lower_left.y};
-        i += leaf.side_cells() - (step.x * passed.x + step.y * passed.y);
+        i += table.leaf(*id).side_cells();
     }
 }
 

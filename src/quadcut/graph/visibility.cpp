@@ -71,14 +71,15 @@ public:
             }
         }
         if (leaf.level == 0) return;
-        // Rule 3, tighter: a finer leaf has half the side at most, so that nothing farther than
-        // 1.05 * 1.5 sides of the coarser one can pass eq. (3). In half cells that is 3.15 sides.
+        // Rule 3 looks 2.1 sides far; finer leaves allow less. One within Th begins at most 1.05 s_i
+        // + 0.55 s_j from the centre along either axis, and at a multiple of s_j: at 17/16 s_i or
+        // before, for each s_j = s_i / 2, s_i / 4, ... In half cells:
         const HalfCell middle = centre(leaf);
-        const std::int64_t reach = 315 * std::int64_t{side} / 100;
+        const std::int64_t reach = 17 * std::int64_t{side} / 8;
         const auto cell = [](std::int64_t x, std::int64_t y) {
             return Cell{static_cast<std::int32_t>(x >> 1), static_cast<std::int32_t>(y >> 1)};
         };
-        table_.for_each_leaf_in(cell(middle.x - reach, middle.y - reach),
+        table_.for_each_leaf_in(cell(middle.x - reach - 1, middle.y - reach - 1),
                                 cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
                                     if (table_.leaf(other).level < leaf.level) {
                                         append_if_seen(node, leaf, other, edges);
@@ -90,7 +91,7 @@ private:
     void append_if_seen(std::uint32_t node, const Leaf& leaf, LeafId other_id,
                         std::vector<WeightedEdge>& edges) const {
         const Leaf& other = table_.leaf(other_id);
-        if (other.state != CellState::free || !is_within_threshold(leaf, other)) return;
+        if (!is_within_threshold(leaf, other)) return;
         const std::optional<std::uint32_t> other_node = index_.find(other_id);
         if (!other_node.has_value()) return;
         const std::int32_t side = leaf.side_cells();

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/graph/line_of_sight.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -104,6 +105,29 @@ TEST(LineOfSight, TheRimOfTheRectangleIsFreeAndBeyondItIsBlocked) {
     EXPECT_FALSE(sees(rows, {1, 0}, {4, 0}));
     const BlockedCells blocked(test::table_of(test::map_from_text(rows)), {-1, 0}, {1, 1});
     EXPECT_FALSE(blocked.sees({-1, 1}, {3, 1}));
+}
+
+TEST(LineOfSight, EachPlaceOfALongLatticeLineIsLookedAt) {
+    constexpr std::int32_t kLength = 200;
+    for (std::int32_t place = 0; place + 1 < kLength; ++place) {
+        const auto line_is_clear = [&](const std::vector<Cell>& obstacles) {
+            BlockedCells blocked({0, 0}, {kLength - 1, 1});
+            for (std::int32_t i = 0; i < 2 * kLength; ++i) {
+                const Cell cell{i / 2, i % 2};
+                if (std::find(obstacles.begin(), obstacles.end(), cell) == obstacles.end()) {
+                    blocked.open_square(cell, 1);
+                }
+            }
+            // Inside the lower row a single obstacle is enough.
+            EXPECT_FALSE(blocked.sees({0, 1}, {2 * kLength, 1}));
+            return blocked.sees({0, 2}, {2 * kLength, 2});
+        };
+        EXPECT_FALSE(line_is_clear({{place, 0}, {place, 1}})) << place;
+        EXPECT_FALSE(line_is_clear({{place, 0}, {place + 1, 1}})) << place;
+        EXPECT_FALSE(line_is_clear({{place + 1, 0}, {place, 1}})) << place;
+        // Along one side only it is free, but at the ends an obstacle would pinch with the outside.
+        EXPECT_EQ(line_is_clear({{place, 0}, {place + 1, 0}}), place > 0 && place + 2 < kLength);
+    }
 }
 
 TEST(LineOfSight, KnownClearEndsAreNotLookedAt) {

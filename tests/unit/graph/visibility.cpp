@@ -115,6 +115,23 @@ TEST(SightEdges, ThresholdOfEquationThreeByHand) {
     EXPECT_EQ(edges.size(), 2U + 1U + 3U + 2U + 2U);
 }
 
+TEST(SightEdges, ThresholdOfEquationThreeToTheLastCell) {
+    // A free square but for one cell, which splits its quarter down to single cells.
+    test::States states({0, 0}, 32, 32, CellState::free);
+    states.at({25, 10}) = CellState::occupied;
+    const LeafTable table = test::table_of(states);
+    const std::vector<LeafId> nodes = test::free_leaves(table);
+    ASSERT_EQ(table.leaf(nodes[0]).level, 4);
+    std::vector<Cell> single;
+    for (const WeightedEdge& edge : sight_edges(table, nodes, 1.0)) {
+        const Leaf& other = table.leaf(nodes[edge.b]);
+        if (edge.a == 0 && other.level == 0) single.push_back(other.lower_left);
+    }
+    // From (8, 8) to the middle of (25, 11) is sqrt(17.5^2 + 3.5^2) = 17.846 cells, and Th = 1.05 *
+    // 17 = 17.85; (24, 10) and (24, 11) are nearer.
+    EXPECT_EQ(single, (std::vector<Cell>{{24, 10}, {24, 11}, {25, 11}}));
+}
+
 TEST(SightEdges, EachKindOfSelfLoopIsStoredOnce) {
     const std::vector<std::string> rows{
         "..#.",
