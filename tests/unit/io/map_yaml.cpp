@@ -74,8 +74,8 @@ TEST(MapYaml, TakesOtherStylesCommentsAndKeys) {
         " negate: no, occupied_thresh: 1, free_thresh: 0, author: {name: x}}\n...\n--- second\n");
     EXPECT_EQ(keys.image, "b c.png");
     EXPECT_EQ(keys.resolution_m, 0.1);
-    const MapKeys listed = parse(with("origin", "origin:\n  - 1\n  - &y 2\n  - *y"));
-    EXPECT_EQ(listed.map_from_image, (Pose{1.0, 2.0, 2.0}));
+    const MapKeys listed = parse(with("origin", "origin:\n  - 1\n  - 2\n  - 3"));
+    EXPECT_EQ(listed.map_from_image, (Pose{1.0, 2.0, 3.0}));
 }
 
 TEST(MapYaml, NamesAMissingKey) {
@@ -147,10 +147,14 @@ TEST(MapYaml, RefusesWhatIsNoYaml) {
 
 TEST(MapYaml, BoundsSizeAndDepth) {
     EXPECT_EQ(error_of([] { (void)parse(kGood + std::string(2'000'000, '#')); }),
-              "m.yaml: larger than the 1048576 bytes that a map_server YAML may have");
-    EXPECT_NE(error_of([] { (void)parse(kGood + "deep: " + std::string(100'000, '[')); }),
-              "no error");
-    // Each alias would double the document if it were unfolded.
+              "m.yaml: larger than the 1048576 bytes that a YAML may have");
+    EXPECT_EQ(parse(kGood + "deep: " + std::string(31, '[') + std::string(31, ']')).image, "a.pgm");
+    EXPECT_EQ(error_of([] { (void)parse(kGood + "deep: " + std::string(1'000'000, '[')); }),
+              "m.yaml: line 7: nested deeper than the 32 levels that are read at most");
+}
+
+TEST(MapYaml, AliasesAreNotUnfolded) {
+    // Each line would double the document.
     std::string bomb = kGood + "a0: &a0 [x, x]\n";
     for (int i = 1; i < 60; ++i) {
         const std::string before = "*a" + std::to_string(i - 1);
@@ -158,6 +162,8 @@ TEST(MapYaml, BoundsSizeAndDepth) {
                 before + "]\n";
     }
     EXPECT_EQ(parse(bomb).image, "a.pgm");
+    EXPECT_EQ(error_with("resolution", "x: &r 0.05\nresolution: *r"),
+              "m.yaml: line 3: resolution: expected a number, found an alias");
 }
 
 }  // namespace
