@@ -109,7 +109,11 @@ private:
         }
     }
     void add_tile(OccupancyMap& map, PlainMap& plain, Cell tile, std::uint64_t rows, int change) {
-        map.add_log_odds_in_tile(tile, rows, change);
+        Tile sum = map.tile(tile);
+        for (std::size_t i = 0; i < kTileCells; ++i) {
+            sum.values[i] = bounded_sum(sum.values[i], (rows >> i & 1) != 0 ? change : 0);
+        }
+        map.set_tile(tile, sum);
         for (int i = 0; i < 64; ++i) {
             if ((rows >> i & 1) != 0) {
                 plain.add({tile.x * 8 + i % 8, tile.y * 8 + i / 8}, change);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/line_walk.hpp"
 #include "quadcut/map/scan_cells.hpp"
 
 namespace quadcut {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kMaxRangeCells = 8192.0;
 
+// The sensor in the map, in cells.
 Pose sensor_in_cells(const OccupancyMap& map, const Scan& scan) {
     const Pose& pose = scan.world_from_sensor;
     if (!std::isfinite(pose.yaw_rad) || !std::isfinite(scan.first_angle_rad) ||
@@ -28,71 +30,140 @@ Pose sensor_in_cells(const OccupancyMap& map, const Scan& scan) {
             map_from_sensor.yaw_rad};
 }
 
-SightModel sight_model(const OccupancyMap& map, const IntegrateOptions& options) {
+BeamLimits limits_in_cells(const OccupancyMap& map, const IntegrateOptions& options) {
     const double usable_range = options.usable_range_m / map.resolution_m();
     if (!(usable_range > 0.0 && usable_range <= kMaxRangeCells)) {
         throw InputError("scan: the usable range is " + std::to_string(usable_range) +
-                         " cells, expected up to 8192");
+                         " cells, expected 1 to 8192");
     }
     return {usable_range, options.widest_gap_m / map.resolution_m(), options.margin_cells};
 }
 
-// The lowest and the highest cell of the tiles that the scan says something about.
-struct ObservedBox {
-    Cell low{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
-    Cell high{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
-
-    void add(Cell tile) {
-        low = {std::min(low.x, tile.x * kTileSide), std::min(low.y, tile.y * kTileSide)};
-        high = {std::max(high.x, tile.x * kTileSide + kTileSide - 1),
-                std::max(high.y, tile.y * kTileSide + kTileSide - 1)};
-    }
-};
-
-// Adds without commit. Returns the observed box, low.x > high.x when nothing was observed.
-ObservedBox add_scan(OccupancyMap& map, const Scan& scan, const IntegrateOptions& options) {
-    const ScanCells cells =
-        cells_of(scan, map.resolution_m(), sensor_in_cells(map, scan), sight_model(map, options));
-    const Cell origin = cells.free.origin();
-    ObservedBox box;
-    const auto for_each_tile = [&](const auto& visit) {
-        for (std::int32_t y = 0; y < cells.free.height() / kTileSide; ++y) {
-            for (std::int32_t x = 0; x < cells.free.width() / kTileSide; ++x) {
-                const std::uint64_t free = cells.free.tile_rows(x, y);
-                const std::uint64_t hit = cells.hit.tile_rows(x, y);
-                if ((free | hit) != 0) {
-                    visit(Cell{origin.x / kTileSide + x, origin.y / kTileSide + y}, free, hit);
-                }
-            }
+// Ends beams before the walls that the map is sure of.
+void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Point& sensor,
+                   const IntegrateOptions& options) {
+    const double first = options.trusted_range_m / map.resolution_m();
+    const double tolerance = options.wall_tolerance_m / map.resolution_m();
+    for (Beam& beam : beams) {
+        const double length = beam.range - tolerance - first;
+        if (length <= 0.0) {
+            continue;
         }
-    };
-    for_each_tile([&](Cell tile, std::uint64_t, std::uint64_t) { box.add(tile); });
-    if (box.low.x > box.high.x) {
-        return box;
+        const auto at = [&](double distance) {
+            return Point{sensor.x + beam.direction.x * distance,
+                         sensor.y + beam.direction.y * distance};
+        };
+        walk_line(at(first), at(first + length), [&](Cell cell, double t) {
+            if (map.log_odds(cell) < options.sure) {
+                return true;
+            }
+            beam.reach = std::clamp(first + t * length - options.margin_cells, 0.0, beam.reach);
+            beam.hits = false;
+            return false;
+        });
     }
-    // Before the first write, so that a scan that leaves the limits changes nothing.
-    map.reserve(box.low, box.high);
-    for_each_tile([&](Cell tile, std::uint64_t free, std::uint64_t hit) {
-        map.add_log_odds_in_tile(tile, free & ~hit, options.miss);
-        map.add_log_odds_in_tile(tile, hit, options.hit);
-    });
-    return box;
+}
+
+// The cells of a tile whose walls the map is sure of.
+std::uint64_t sure_walls(const Tile& tile, int sure) {
+    std::uint64_t rows = 0;
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        rows |= std::uint64_t{tile.values[i] >= sure} << i;
+    }
+    return rows;
+}
+
+bool is_near(Cell tile, const Point& sensor, double range) {
+    return std::hypot((tile.x + 0.5) * kTileSide - sensor.x,
+                      (tile.y + 0.5) * kTileSide - sensor.y) < range;
+}
+
+Tile with_evidence(const Tile& tile, const TileEvidence& evidence,
+                   const IntegrateOptions& options) {
+    Tile sum = tile;
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        const int delta = (evidence.hit >> i & 1) != 0    ? options.hit
+                          : (evidence.miss >> i & 1) != 0 ? options.miss
+                                                          : 0;
+        sum.values[i] = bounded_sum(sum.values[i], delta);
+    }
+    return sum;
+}
+
+// The lower left cells of the lowest and the highest tile. @pre there is one.
+std::pair<Cell, Cell> corner_cells(std::span<const TileEvidence> evidence) {
+    Cell low = evidence.front().tile;
+    Cell high = low;
+    for (const TileEvidence& one : evidence) {
+        low = {std::min(low.x, one.tile.x), std::min(low.y, one.tile.y)};
+        high = {std::max(high.x, one.tile.x), std::max(high.y, one.tile.y)};
+    }
+    return {{low.x * kTileSide, low.y * kTileSide}, {high.x * kTileSide, high.y * kTileSide}};
 }
 
 }  // namespace
 
 IntegrateOptions latest_scan_wins() {
     IntegrateOptions options;
+    options.sure = kMaxLogOdds + 1;
     options.hit = kMaxLogOdds - kMinLogOdds;
     options.miss = kMinLogOdds - kMaxLogOdds;
     return options;
 }
 
+std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
+                                      const IntegrateOptions& options) {
+    const Pose pose = sensor_in_cells(map, scan);
+    const Point sensor{pose.x, pose.y};
+    std::vector<Beam> beams =
+        beams_of(scan, pose.yaw_rad, map.resolution_m(), limits_in_cells(map, options));
+    stop_at_walls(beams, map, sensor, options);
+    const ScanCells cells = cells_of(beams, sensor, scan.angle_step_rad);
+
+    const Cell origin = cells.free.origin();
+    const double trusted_range = options.trusted_range_m / map.resolution_m();
+    std::vector<TileEvidence> evidence;
+    for (std::int32_t y = 0; y < cells.free.height() / kTileSide; ++y) {
+        for (std::int32_t x = 0; x < cells.free.width() / kTileSide; ++x) {
+            const Cell tile{origin.x / kTileSide + x, origin.y / kTileSide + y};
+            const std::uint64_t hit = cells.hit.tile_rows(x, y);
+            std::uint64_t miss = cells.free.tile_rows(x, y) & ~hit;
+            if (miss != 0 && !map.is_uniform_tile(tile) && !is_near(tile, sensor, trusted_range)) {
+                miss &= ~sure_walls(map.tile(tile), options.sure);
+            }
+            if ((miss | hit) != 0) {
+                evidence.push_back({tile, miss, hit});
+            }
+        }
+    }
+    return evidence;
+}
+
+void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
+                  const IntegrateOptions& options) {
+    if (evidence.empty()) {
+        return;
+    }
+    const auto [low, high] = corner_cells(evidence);
+    // Before the first write, so that a scan that passes the limits changes nothing.
+    map.reserve(low, high);
+    for (const TileEvidence& one : evidence) {
+        const Tile& tile = map.tile(one.tile);
+        // Most of what a scan sees is a block that is as free as can be.
+        if (one.hit == 0 && map.is_uniform_tile(one.tile) && tile.values.front() == kMinLogOdds) {
+            continue;
+        }
+        map.set_tile(one.tile, with_evidence(tile, one, options));
+    }
+}
+
 MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOptions& options) {
-    const ObservedBox box = add_scan(map, scan, options);
+    const std::vector<TileEvidence> evidence = evidence_of(map, scan, options);
+    add_evidence(map, evidence, options);
     MapUpdate update = map.commit();
-    if (box.low.x <= box.high.x) {
-        update.covering = map.block_around(box.low, box.high);
+    if (!evidence.empty()) {
+        const auto [low, high] = corner_cells(evidence);
+        update.covering = map.block_around(low, high);
     }
     return update;
 }
@@ -104,7 +175,7 @@ OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
     OccupancyMap map(resolution_m);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         try {
-            add_scan(map, scans[i], options);
+            add_evidence(map, evidence_of(map, scans[i], options), options);
         } catch (const InputError& error) {
             throw InputError("scan " + std::to_string(i) + ": " + error.what());
         }

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/scan.hpp"
@@ -13,21 +15,44 @@ namespace quadcut {
 
 /// What a scan does to the map.
 struct IntegrateOptions {
-    double usable_range_m = 30.0;  ///< longer readings clear that far and hit nothing
-    double widest_gap_m = 0.2;     ///< the space between two beams is seen while it is no wider
-    double margin_cells = 1.0;     ///< how far before an end point a beam stops to clear
-    int hit = 3;                   ///< added to the log-odds of a cell with an end point
-    int miss = -1;                 ///< added where the scan saw free space
+    double usable_range_m = 30.0;   ///< longer readings clear that far and hit nothing
+    double widest_gap_m = 0.2;      ///< and no further than where beams are this far apart
+    double margin_cells = 1.0;      ///< how far before its end point a beam stops to clear
+    double trusted_range_m = 2.5;   ///< up to here, a scan is believed against sure walls
+    double wall_tolerance_m = 0.3;  ///< an end point so far behind a sure wall still is the wall
+    int sure = 5;                   ///< log-odds from which on the map is sure of a wall
+    int hit = 3;                    ///< added to the log-odds of a cell with an end point
+    int miss = -1;                  ///< added where the scan saw free space
 };
 
 /// One hit marks and one miss clears, as in the paper (READING.md item 20).
 [[nodiscard]] IntegrateOptions latest_scan_wins();
 
-/// Adds a scan to the map: one miss for each cell in its free sector, one hit for each cell with an
-/// end point; the hit wins. cells_of() says what the free sector is.
-/// O(cells of the bounding box / 64 + tiles that change).
-/// Throws InputError when the scan's pose is not finite or beyond the map's limits, or the
-/// resolution is finer than usable_range_m / 8192; the map is then unchanged.
+/// The cells of one tile that a scan speaks of, bit 8 y + x for cell (x, y) of the tile.
+struct TileEvidence {
+    Cell tile;
+    std::uint64_t miss = 0;
+    std::uint64_t hit = 0;
+};
+
+/// What a scan says of the map: one miss for each cell that it saw free (cells_of), one hit for
+/// each cell with an end point; the hit wins. Invalid beams and those without a return say nothing.
+///
+/// Beyond `trusted_range_m` a small error of the yaw moves a beam by cells. So there, walls that
+/// the map is sure of are not cleared, and a beam that would have to pass through one ends before
+/// it. O(cells that beams cross + cells of the bounding box / 64). Throws InputError when the
+/// scan's pose is not finite or beyond the map's limits, or when the usable range is no positive
+/// number of cells or more than 8192.
+[[nodiscard]] std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
+                                                    const IntegrateOptions& options = {});
+
+/// Adds evidence to the log-odds, without commit(). Throws InputError, with the map unchanged, when
+/// it would pass the map's limits.
+void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
+                  const IntegrateOptions& options = {});
+
+/// Adds a scan to the map and commits. The update covers all that the scan speaks of (paper
+/// eq. 10). Errors as above; the map is then unchanged.
 MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOptions& options = {});
 
 /// Called after each scan with how many are done.

@@ -89,11 +89,6 @@ TileRange grown_range(const TileRange& old, const TileRange& tiles, const Root& 
              up(old.low.y, old.high.y, tiles.high.y, first.y + side - 1)}};
 }
 
-std::int8_t bounded_sum(int log_odds, int delta) {
-    const int sum = std::clamp(log_odds + delta, kMinLogOdds, kMaxLogOdds);
-    return static_cast<std::int8_t>(sum != 0 || delta == 0 ? sum : delta < 0 ? -1 : 1);
-}
-
 StatePyramid empty_pyramid(const Root& root, const TileRange& tiles) {
     const Cell first = tile_of(root.lower_left);
     return {root.level - kTileBits + 1,
@@ -204,31 +199,14 @@ void OccupancyMap::write(Cell cell, int log_odds) {
         static_cast<std::int8_t>(log_odds);
 }
 
-void OccupancyMap::add_log_odds_in_tile(Cell tile, std::uint64_t rows, int delta) {
+void OccupancyMap::set_tile(Cell tile, const Tile& values) {
+    if (store_.tile(tile).values == values.values) {
+        return;
+    }
     const Cell corner{tile.x * kTileSide, tile.y * kTileSide};
-    if (rows == 0 || delta == 0) {
-        return;
-    }
     reserve(corner, corner);
-    const bool stays_uniform = rows == kWholeTile && store_.is_uniform(tile);
-    Tile sum = store_.tile(tile);
-    std::uint64_t changed = 0;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        if ((rows >> i & 1) != 0) {
-            const std::int8_t value = bounded_sum(sum.values[i], delta);
-            changed |= static_cast<std::uint64_t>(value ^ sum.values[i]);
-            sum.values[i] = value;
-        }
-    }
-    if (changed == 0) {
-        return;
-    }
     remember(tile);
-    if (stays_uniform) {
-        store_.set_uniform(tile, sum.values.front());
-    } else {
-        store_.writable_tile(tile) = sum;
-    }
+    store_.set_tile(tile, values);
 }
 
 void OccupancyMap::remember(Cell tile) {

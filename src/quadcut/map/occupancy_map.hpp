@@ -72,6 +72,11 @@ public:
     /// kMinLogOdds .. kMaxLogOdds, 0 where nothing was observed. O(1) for any cell.
     [[nodiscard]] int log_odds(Cell cell) const { return store_.log_odds(cell); }
 
+    /// The 8 x 8 cells (8 tile.x .., 8 tile.y ..). The reference dies with the next write.
+    [[nodiscard]] const Tile& tile(Cell tile) const { return store_.tile(tile); }
+    /// Whether these all share one value.
+    [[nodiscard]] bool is_uniform_tile(Cell tile) const { return store_.is_uniform(tile); }
+
     [[nodiscard]] const Root& root() const { return root_; }
     /// Leaves of the root, unknown ones included.
     [[nodiscard]] std::size_t num_leaves() const;
@@ -95,9 +100,8 @@ public:
     void set_state(Cell cell, CellState state);
     /// Adds to a cell's log-odds, within bounds; a sum of 0 becomes 1 in the direction of `delta`.
     void add_log_odds(Cell cell, int delta);
-    /// The same for the cells of one 8 x 8 tile (cells 8 tile.x .., 8 tile.y ..) whose bits are
-    /// set; bit 8 y + x stands for cell (x, y) of the tile.
-    void add_log_odds_in_tile(Cell tile, std::uint64_t rows, int delta);
+    /// Replaces the 8 x 8 cells (8 tile.x .., 8 tile.y ..).
+    void set_tile(Cell tile, const Tile& values);
     /// Ends a batch: collapses, brings the tree up to date and reports.
     /// O(t log t + layers t) for t tiles whose cells changed.
     MapUpdate commit();

@@ -108,13 +108,7 @@ void OccupancyMap::fill_from(const Raster<CellState>& states, Cell low, Cell hig
     for (std::size_t i = 0; i < directory.values.size(); ++i) {
         const Cell tile = directory.cell(i);
         const Tile values = tile_from(states, tile);
-        const std::int8_t first = values.values.front();
-        if (std::all_of(values.values.begin(), values.values.end(),
-                        [=](std::int8_t value) { return value == first; })) {
-            store_.set_uniform(tile, first);
-        } else {
-            store_.writable_tile(tile) = values;
-        }
+        store_.set_tile(tile, values);
         pyramid_.set_tile(tile_position(tile), states_of(values));
     }
     store_.shrink_to_fit();

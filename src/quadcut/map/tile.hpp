@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,12 @@ constexpr int kMaxLogOdds = 11;
     return log_odds == 0  ? CellState::unknown
            : log_odds < 0 ? CellState::free
                           : CellState::occupied;
+}
+
+/// Log-odds plus `delta`, within bounds; a sum of 0 becomes 1 in the direction of `delta`.
+[[nodiscard]] constexpr std::int8_t bounded_sum(int log_odds, int delta) {
+    const int sum = std::clamp(log_odds + delta, kMinLogOdds, kMaxLogOdds);
+    return static_cast<std::int8_t>(sum != 0 || delta == 0 ? sum : delta < 0 ? -1 : 1);
 }
 
 /// 8 x 8 cells of log-odds; cell (x, y) is at 8 y + x.

@@ -7,6 +7,16 @@
 
 namespace quadcut {
 
+namespace {
+
+bool has_one_value(const Tile& tile) {
+    const std::int8_t first = tile.values.front();
+    return std::all_of(tile.values.begin(), tile.values.end(),
+                       [=](std::int8_t value) { return value == first; });
+}
+
+}  // namespace
+
 TileStore::TileStore() : tiles_(kNumUniform) {
     for (std::uint32_t entry = 0; entry < kNumUniform; ++entry) {
         const int value = kMinLogOdds + static_cast<int>(entry);
@@ -35,27 +45,34 @@ Tile& TileStore::writable_tile(Cell tile) {
     return tiles_.back();
 }
 
-void TileStore::set_uniform(Cell tile, int log_odds) {
+void TileStore::set_tile(Cell tile, const Tile& values) {
+    if (has_one_value(values)) {
+        make_uniform(tile, values.values.front());
+    } else {
+        writable_tile(tile) = values;
+    }
+}
+
+void TileStore::make_uniform(Cell tile, int log_odds) {
     std::uint32_t& entry = directory_.at(tile);
     if (entry >= kNumUniform) {
         free_.push_back(entry);
     }
-    entry = entry_of(log_odds);
+    entry = uniform_number(log_odds);
 }
 
 void TileStore::collapse(Cell tile) {
     if (is_uniform(tile)) {
         return;
     }
-    const auto& values = tiles_[directory_.at(tile)].values;
-    const std::int8_t first = values.front();
-    if (std::all_of(values.begin(), values.end(), [=](std::int8_t v) { return v == first; })) {
-        set_uniform(tile, first);
+    const Tile& values = tiles_[directory_.at(tile)];
+    if (has_one_value(values)) {
+        make_uniform(tile, values.values.front());
     }
 }
 
 void TileStore::set_rectangle(Cell low, Cell high) {
-    Raster<std::uint32_t> larger(low, high.x - low.x + 1, high.y - low.y + 1, entry_of(0));
+    Raster<std::uint32_t> larger(low, high.x - low.x + 1, high.y - low.y + 1, uniform_number(0));
     for (std::int32_t row = 0; row < directory_.height; ++row) {
         const Cell first{directory_.origin.x, directory_.origin.y + row};
         const auto from = directory_.values.begin() + std::ptrdiff_t{row} * directory_.width;

@@ -23,15 +23,7 @@ public:
 
     /// Log-odds of a cell; 0 outside the rectangle. O(1).
     [[nodiscard]] int log_odds(Cell cell) const {
-        // One comparison a side: what is left of the rectangle wraps around to a large number.
-        const auto x = static_cast<std::uint32_t>((cell.x >> kTileBits) - directory_.origin.x);
-        const auto y = static_cast<std::uint32_t>((cell.y >> kTileBits) - directory_.origin.y);
-        if (x >= static_cast<std::uint32_t>(directory_.width) ||
-            y >= static_cast<std::uint32_t>(directory_.height)) {
-            return 0;
-        }
-        const std::size_t entry = std::size_t{y} * static_cast<std::uint32_t>(directory_.width) + x;
-        return tiles_[directory_.values[entry]].values[cell_in_tile(cell)];
+        return tile({cell.x >> kTileBits, cell.y >> kTileBits}).values[cell_in_tile(cell)];
     }
 
     /// Where a cell lies in its tile.
@@ -43,13 +35,16 @@ public:
     /// Rectangle of the directory, in tiles.
     [[nodiscard]] const Raster<std::uint32_t>& directory() const { return directory_; }
     [[nodiscard]] bool contains(Cell tile) const { return directory_.contains(tile); }
-    /// @pre contains(tile), for all that follow.
-    [[nodiscard]] const Tile& tile(Cell tile) const { return tiles_[directory_.at(tile)]; }
+    /// Unknown outside the rectangle.
+    [[nodiscard]] const Tile& tile(Cell tile) const { return tiles_[number(tile)]; }
     /// All cells share one value and the tile holds no bytes of its own.
-    [[nodiscard]] bool is_uniform(Cell tile) const { return directory_.at(tile) < kNumUniform; }
+    [[nodiscard]] bool is_uniform(Cell tile) const { return number(tile) < kNumUniform; }
+
     /// The tile, with bytes of its own from now on. The reference dies with the next call.
+    /// @pre contains(tile), for this one and those that follow.
     [[nodiscard]] Tile& writable_tile(Cell tile);
-    void set_uniform(Cell tile, int log_odds);
+    /// Replaces the tile; takes no bytes when all its cells share one value.
+    void set_tile(Cell tile, const Tile& values);
     /// Gives the bytes of the tile back if all its cells share one value.
     void collapse(Cell tile);
 
@@ -70,9 +65,21 @@ public:
 
 private:
     static constexpr std::uint32_t kNumUniform = kMaxLogOdds - kMinLogOdds + 1;
-    static constexpr std::uint32_t entry_of(int log_odds) {
+    /// The number of the constant tile of a value.
+    static constexpr std::uint32_t uniform_number(int log_odds) {
         return static_cast<std::uint32_t>(log_odds - kMinLogOdds);
     }
+    [[nodiscard]] std::uint32_t number(Cell tile) const {
+        // One comparison a side: what is left of the rectangle wraps around to a large number.
+        const auto x = static_cast<std::uint32_t>(tile.x - directory_.origin.x);
+        const auto y = static_cast<std::uint32_t>(tile.y - directory_.origin.y);
+        const auto width = static_cast<std::uint32_t>(directory_.width);
+        if (x >= width || y >= static_cast<std::uint32_t>(directory_.height)) {
+            return uniform_number(0);
+        }
+        return directory_.values[std::size_t{y} * width + x];
+    }
+    void make_uniform(Cell tile, int log_odds);
 
     Raster<std::uint32_t> directory_;
     std::vector<Tile> tiles_;
