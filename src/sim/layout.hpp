@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+
+#include "sim/plan.hpp"
+#include "sim/strip.hpp"
+
+namespace quadcut::sim {
+
+struct LayoutOptions {
+    std::uint64_t seed = 1;
+    /// Rooms, corridors and halls together; the plan has about as many.
+    int num_rooms = 20;
+    /// How often a wing is turned by 15 to 40 degrees against the one that it joins, 0..1.
+    double turned_wings = 0.5;
+    /// Direction of the first wing.
+    double yaw_rad = 0.0;
+};
+
+struct Layout {
+    Plan plan;
+    Trade trade = Trade::office;
+    int num_wings = 0;
+    int num_turned_wings = 0;
+};
+
+/// Draws a building: wings of corridors with rooms on their sides, joined end to end.
+[[nodiscard]] Layout draw_layout(const LayoutOptions& options);
+
+}  // namespace quadcut::sim

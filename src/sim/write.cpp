@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "sim/write.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "io/file.hpp"
+#include "io/image.hpp"
+#include "io/json_writer.hpp"
+#include "io/label_image.hpp"
+#include "io/number_text.hpp"
+#include "quadcut/base/error.hpp"
+
+namespace quadcut::sim {
+namespace {
+
+constexpr int kMicrometreDecimals = 6;
+constexpr double kDegree = M_PI / 180.0;
+
+void add(std::string& line, double value, int decimals = kMicrometreDecimals) {
+    line += ' ';
+    io::append_rounded(line, value, decimals);
+}
+
+void add_pose(std::string& line, const Pose& pose) {
+    add(line, pose.x);
+    add(line, pose.y);
+    add(line, pose.yaw_rad);
+}
+
+void add_ranges(std::string& line, const Scan& scan) {
+    add(line, static_cast<double>(scan.ranges_m.size()), 0);
+    for (const float range : scan.ranges_m) {
+        add(line, static_cast<double>(range), io::kMillimetreDecimals);
+    }
+}
+
+// Whether FLASER's rules give back the angles of the scan: from -90 degrees on, 1 degree apart
+// for 180 and 181 beams, half a degree for 360 and 361.
+bool fits_flaser(const Scan& scan) {
+    const std::size_t n = scan.ranges_m.size();
+    const bool fine = n == 360 || n == 361;
+    if (!fine && n != 180 && n != 181) return false;
+    constexpr double kSame = 1e-6;
+    return std::abs(scan.first_angle_rad + 90.0 * kDegree) < kSame &&
+           std::abs(scan.angle_step_rad - (fine ? 0.5 : 1.0) * kDegree) < kSame;
+}
+
+void add_scan(std::string& log, const Scan& scan) {
+    const double span =
+        scan.angle_step_rad * static_cast<double>(std::max<std::size_t>(1, scan.ranges_m.size()) - 1);
+    if (fits_flaser(scan)) {
+        log += "FLASER";
+        add_ranges(log, scan);
+    } else {
+        // type, first angle, field of view, angle step, maximum range, accuracy, remission mode
+        log += "ROBOTLASER1 0";
+        constexpr int kAngleDecimals = 9;
+        add(log, scan.first_angle_rad, kAngleDecimals);
+        add(log, span, kAngleDecimals);
+        add(log, scan.angle_step_rad, kAngleDecimals);
+        add(log, scan.max_range_m, io::kMillimetreDecimals);
+        log += " 0.01 0";
+        add_ranges(log, scan);
+        log += " 0";  // no remission values
+    }
+    // The laser's pose, then the robot's.
+    add_pose(log, scan.world_from_sensor);
+    add_pose(log, scan.world_from_sensor);
+    // Two speeds and three distances of the safety system.
+    if (!fits_flaser(scan)) log += " 0 0 0 0 0";
+    add(log, scan.time_s);
+    log += " quadcut";
+    add(log, scan.time_s);
+    log += '\n';
+}
+
+void add_point(io::JsonWriter& json, const Point& point) {
+    json.begin_array().number(point.x).number(point.y).end_array();
+}
+
+const char* text_of(RoomKind kind) {
+    switch (kind) {
+        case RoomKind::room: return "room";
+        case RoomKind::corridor: return "corridor";
+        case RoomKind::hall: return "hall";
+        case RoomKind::unknown: break;
+    }
+    return "unknown";
+}
+
+void add_room(io::JsonWriter& json, const TrueRoom& room) {
+    json.begin_object();
+    json.key("id").integer(static_cast<std::uint64_t>(room.id));
+    json.key("name").text(room.name);
+    json.key("kind").text(text_of(room.kind));
+    json.key("area_m2").number(room.area_m2);
+    json.key("floor").begin_array();
+    for (const Polygon& polygon : room.floor) {
+        json.begin_array();
+        for (const Point& point : polygon) add_point(json, point);
+        json.end_array();
+    }
+    json.end_array().end_object();
+}
+
+void add_door(io::JsonWriter& json, const TrueDoor& door) {
+    json.begin_object();
+    json.key("a").integer(static_cast<std::uint64_t>(door.a));
+    json.key("b").integer(static_cast<std::uint64_t>(door.b));
+    json.key("jamb_1");
+    add_point(json, door.jamb_1);
+    json.key("jamb_2");
+    add_point(json, door.jamb_2);
+    json.key("width_m").number(door.width_m);
+    json.key("is_open_passage").boolean(door.is_open_passage).end_object();
+}
+
+std::string encode_map(const GridMap& map) {
+    const io::ImageHeader header{map.states.width, map.states.height, 1, 255};
+    return io::encode_pgm(header, [&](std::int32_t y, std::span<std::uint16_t> samples) {
+        const std::int32_t row = map.states.origin.y + map.states.height - 1 - y;
+        for (std::size_t x = 0; x < samples.size(); ++x) {
+            const Cell cell{map.states.origin.x + static_cast<std::int32_t>(x), row};
+            // The greys of map_server.
+            switch (map.states.at(cell)) {
+                case CellState::occupied: samples[x] = 0; break;
+                case CellState::free: samples[x] = 254; break;
+                case CellState::unknown: samples[x] = 205; break;
+            }
+        }
+    });
+}
+
+std::string map_yaml(const GridMap& map) {
+    const Point corner = transform(map.map_from_image, {map.states.origin.x * map.resolution_m,
+                                                        map.states.origin.y * map.resolution_m});
+    return "image: map.pgm\nmode: trinary\nresolution: " + io::exact(map.resolution_m) +
+           "\norigin: [" + io::exact(corner.x) + ", " + io::exact(corner.y) + ", " +
+           io::exact(map.map_from_image.yaw_rad) +
+           "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+}
+
+}  // namespace
+
+std::string encode_carmen_log(std::span<const Scan> scans) {
+    std::string log = "# CARMEN log of a simulated robot\n";
+    for (const Scan& scan : scans) add_scan(log, scan);
+    return log;
+}
+
+std::string encode_true_poses(std::span<const Scan> scans, std::span<const Pose> poses) {
+    if (scans.size() != poses.size()) {
+        throw std::logic_error("encode_true_poses: expected one pose a scan");
+    }
+    std::string text = "# time x y z qx qy qz qw\n";
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        io::append_rounded(text, scans[i].time_s, kMicrometreDecimals);
+        add(text, poses[i].x);
+        add(text, poses[i].y);
+        text += " 0 0 0";
+        constexpr int kQuaternionDecimals = 9;
+        add(text, std::sin(0.5 * poses[i].yaw_rad), kQuaternionDecimals);
+        add(text, std::cos(0.5 * poses[i].yaw_rad), kQuaternionDecimals);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string encode_truth(const Building& building, const BuildingOptions& options) {
+    io::JsonWriter json;
+    json.begin_object(io::JsonLayout::lines);
+    json.key("format_version").integer(1);
+    json.key("options").begin_object();
+    json.key("seed").integer(options.seed);
+    json.key("num_rooms").integer(static_cast<std::uint64_t>(options.num_rooms));
+    json.key("furniture").exact_number(options.furniture);
+    json.key("resolution_m").exact_number(options.resolution_m);
+    json.key("turned_wings").exact_number(options.turned_wings);
+    json.key("yaw_rad").exact_number(options.yaw_rad);
+    json.key("open_leaves").exact_number(options.open_leaves).end_object();
+    json.key("num_turned_wings").integer(static_cast<std::uint64_t>(building.num_turned_wings));
+    json.key("rooms").begin_array(io::JsonLayout::lines);
+    for (const TrueRoom& room : building.rooms) add_room(json, room);
+    json.end_array();
+    json.key("doors").begin_array(io::JsonLayout::lines);
+    for (const TrueDoor& door : building.doors) add_door(json, door);
+    json.end_array().end_object();
+    return json.finish();
+}
+
+void write_simulation(const std::filesystem::path& folder, const Building& building,
+                      const BuildingOptions& options, const Exploration& exploration) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        throw InputError(io::display_name(folder) + ": cannot make the folder: " +
+                         error.message());
+    }
+    io::write_file_atomically(folder / "map.pgm", encode_map(building.map));
+    io::write_file_atomically(folder / "map.yaml", map_yaml(building.map));
+    io::write_file_atomically(folder / "rooms.png", io::encode_label_png(building.labels));
+    io::write_file_atomically(folder / "truth.json", encode_truth(building, options));
+    if (exploration.scans.empty()) return;
+    io::write_file_atomically(folder / "robot.log", encode_carmen_log(exploration.scans));
+    io::write_file_atomically(folder / "true_poses.tum",
+                              encode_true_poses(exploration.scans, exploration.true_poses));
+}
+
+}  // namespace quadcut::sim
