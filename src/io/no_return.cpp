@@ -13,7 +13,7 @@ namespace {
 constexpr double kBinsPerMetre = 50.0;
 constexpr double kSpikeWidth = 0.02;
 constexpr std::size_t kSpacing = 5;  // The stretch below the spike is as many times as wide.
-constexpr std::uint64_t kDensityRatio = 8;
+constexpr std::uint64_t kDensityRatio = 4;
 constexpr std::uint64_t kMinCount = 8;
 constexpr double kMinShare = 0.002;
 constexpr double kMaxShare = 0.9;

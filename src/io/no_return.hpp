@@ -22,7 +22,7 @@ public:
     void add(std::span<const float> ranges_m);
 
     /// From where on a reading means "no return": the lower end of the highest 2 % of range, where
-    /// they hold 0.2 % to 90 % of all readings (and 8 or more), are 8 times as dense as the 10 %
+    /// they hold 0.2 % to 90 % of all readings (and 8 or more), are 4 times as dense as the 10 %
     /// below them, and end beyond 4 m. Up to 0.05 % of readings farther out count as strays.
     /// kMaxUsableRange where the readings show no such value.
     [[nodiscard]] double limit_m() const;
