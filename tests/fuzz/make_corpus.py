@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The quadcut developers
+"""Writes the seeds of the fuzz targets to corpus/ beside this file: small valid inputs of each
+kind, so that the fuzzers begin where the parsers do their work. Deterministic."""
+
+import gzip
+import pathlib
+import struct
+import zlib
+
+CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
+
+
+def write(target, name, data):
+    folder = CORPUS / target
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(data if isinstance(data, bytes) else data.encode())
+
+
+def chunk(kind, body):
+    return (struct.pack(">I", len(body)) + kind + body
+            + struct.pack(">I", zlib.crc32(kind + body)))
+
+
+def png(width, height, depth, color, rows, extra=b"", interlace=0):
+    header = struct.pack(">IIBBBBB", width, height, depth, color, 0, 0, interlace)
+    raw = b"".join(b"\0" + row for row in rows)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra
+            + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
+
+
+def yaml(image="a.png", more=""):
+    return (f"image: {image}\nresolution: 0.05\norigin: [-1.5, 2e0, 0.1]\nnegate: 0\n"
+            f"occupied_thresh: 0.65\nfree_thresh: 0.196\n{more}")
+
+
+def write_maps():
+    grey = png(4, 3, 8, 0, [bytes([0, 205, 254, 255])] * 3)
+    alpha = png(2, 1, 8, 4, [bytes([255, 255, 0, 0])])
+    write("map", "grey.png", grey)
+    write("map", "alpha.png", alpha)
+    write("map", "grey16.png", png(2, 2, 16, 0, [bytes([1, 2, 255, 255])] * 2))
+    write("map", "bits.png", png(9, 2, 1, 0, [b"\xa5\x80", b"\x5a\x00"]))
+    write("map", "rgb.png", png(2, 1, 8, 2, [bytes([255, 255, 255, 0, 0, 0])]))
+    write("map", "rgba16.png", png(1, 1, 16, 6, [bytes(8)]))
+    palette = chunk(b"PLTE", bytes([0, 0, 0, 205, 205, 205, 254, 254, 254])) + chunk(b"tRNS", b"\0")
+    write("map", "palette.png", png(4, 2, 2, 3, [b"\x1b", b"\x06"], palette))
+    # Of a 2 x 2 image, the passes 1, 6 and 7 of an interlaced one hold pixels.
+    passes = [bytes([1]), bytes([2]), bytes([3, 4])]
+    write("map", "interlaced.png", png(2, 2, 8, 0, passes, interlace=1))
+    write("map", "text.pgm", "P2 # a comment\n3 2\n# another\n15\n0 7 15\n15 7 0\n")
+    write("map", "bytes.pgm", b"P5\n# CREATOR\n4 2 255\n\x00\xcd\xfe\xff\x00\xcd\xfe\xff")
+    write("map", "words.pgm", b"P5 2 1 65535\n\x00\x00\xff\xff")
+    write("map", "map.yaml", yaml())
+    write("map", "flow.yaml", '{image: "a", resolution: 5.0e-2, origin: [0, 0, 0], negate: no,'
+                                   " occupied_thresh: 1, free_thresh: 0, mode: raw}")
+    write("map", "deep.yaml", yaml(more="x: {a: [1, {b: &c 2}], d: *c}\n--- next\n"))
+    write("map", "scale_and_image", yaml(more="mode: scale\n").encode() + b"\0" + alpha)
+    write("map", "raw_and_image", yaml(more="mode: raw\n").encode() + b"\0P2 2 1 255 100 101")
+    write("map", "pair", yaml().encode() + b"\0" + grey)
+
+
+def write_logs():
+    front = "FLASER 4 1.5 2.25 81.83 0.5 1 2 0.5 1.1 2.1 0.6 976055541.1 host 2683.5\n"
+    robot = ("ROBOTLASER1 0 -1.570796 3.141593 0.523599 30.0 0.01 0 3 1.5 30.0 2 2 7 8 "
+             "5 6 0.25 4 6 0.25 0.1 0.2 0.3 0.4 1e6 1234.5 nohost 99.5\n")
+    raw = "RAWLASER2 0 -1.57 3.14 1.57 50 0.01 0 3 1 2 3 0 1234.5 nohost 99.5\n"
+    head = ("# CARMEN Logfile\nPARAM robot_frontlaser_offset 0.3 nohost 0\n"
+            "PARAM robot_front_laser_max 50.0 nohost 0\nSYNC tag\n"
+            "ODOM 1 2 0.5 0.1 0.2 0 12.5 host 3.5\n")
+    write("log", "front.log", head + front + front.replace("541.1", "540.9"))
+    write("log", "rear.log", front + front.replace("FLASER", "RLASER"))
+    write("log", "robot.log", head + robot)
+    write("log", "raw.log", head + raw + raw.replace("LASER2", "LASER1"))
+    write("log", "garbage.log", "what\n" + front + "FLASER 9 1 2\nFLASER 2 nan -1 nan 0 0\n")
+    write("log", "cut.log", front + front[:40])
+    write("log", "crlf.log", front.replace("\n", "\r\n") * 3)
+    spread = "".join(front.replace("2.25", str(2 + 0.5 * i)).replace("81.83", "50.0")
+                     for i in range(20))
+    write("log", "no_return.log", spread)
+    packed = gzip.compress((head + front + robot).encode(), mtime=0)
+    write("log", "front.log.gz", packed)
+    write("log", "joined.log.gz", packed + packed)
+
+
+def write_poses():
+    tum = "# t x y z qx qy qz qw\n1.5 1 2 0 0 0 0.7071 0.7071\n2.5 -1e0 2 0 0 0 0 -2\n"
+    g2o = ("PARAMS_SE2OFFSET 0 0 0 0\nVERTEX_SE2 0 1 2 0.5\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+           "VERTEX_SE3:QUAT 1 1 2 3 0 0 0.5 0.5\nFIX 0\n")
+    write("poses", "tum.txt", tum)
+    write("poses", "graph.g2o", g2o)
+    write("poses", "bad.txt", "1 2 3\n")
+    write("poses", "zero.txt", "1 0 0 0 0 0 0 0\n")
+    write("poses", "tum.txt.gz", gzip.compress(tum.encode(), mtime=0))
+
+
+if __name__ == "__main__":
+    write_maps()
+    write_logs()
+    write_poses()
