@@ -20,7 +20,7 @@ struct IntegrateOptions {
     double margin_cells = 1.0;      ///< how far before its end point a beam stops to clear
     double trusted_range_m = 2.5;   ///< up to here, a scan is believed against sure walls
     double wall_tolerance_m = 0.3;  ///< an end point so far behind a sure wall still is the wall
-    int sure = 5;                   ///< log-odds from which on the map is sure of a wall
+    int sure = 6;                   ///< log-odds from which on the map is sure of a wall
     int hit = 3;                    ///< added to the log-odds of a cell with an end point
     int miss = -1;                  ///< added where the scan saw free space
 };

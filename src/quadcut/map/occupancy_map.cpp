@@ -239,7 +239,8 @@ MapUpdate OccupancyMap::commit() {
         codes.push_back(code);
     }
     change.finish();
-    pending_.clear();
+    store_.give_back();
+    pending_ = std::vector<Pending>{};
     committed_root_ = root_;
     num_leaves_ += change.leaves_added().size();
     num_leaves_ -= change.num_leaves_removed();

@@ -111,7 +111,7 @@ void OccupancyMap::fill_from(const Raster<CellState>& states, Cell low, Cell hig
         store_.set_tile(tile, values);
         pyramid_.set_tile(tile_position(tile), states_of(values));
     }
-    store_.shrink_to_fit();
+    store_.compact();
     pyramid_.rebuild();
     num_leaves_ = count_leaves(pyramid_.num_layers() - 1, {0, 0});
 }

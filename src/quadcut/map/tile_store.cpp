@@ -37,8 +37,8 @@ Tile& TileStore::writable_tile(Cell tile) {
         return tiles_[entry];
     }
     if (tiles_.size() == tiles_.capacity()) {
-        // A quarter at a time: half of a doubled pool would lie idle on average.
-        tiles_.reserve(tiles_.size() + std::max<std::size_t>(64, tiles_.size() / 4));
+        // An eighth at a time: a quarter of a doubled pool would lie idle on average.
+        tiles_.reserve(tiles_.size() + std::max<std::size_t>(32, tiles_.size() / 8));
     }
     entry = static_cast<std::uint32_t>(tiles_.size());
     tiles_.push_back(uniform);
@@ -80,6 +80,26 @@ void TileStore::set_rectangle(Cell low, Cell high) {
                   larger.values.begin() + static_cast<std::ptrdiff_t>(larger.offset(first)));
     }
     directory_ = std::move(larger);
+}
+
+void TileStore::give_back() {
+    if (free_.size() > 32 && free_.size() > num_tiles() / 8) {
+        compact();
+    }
+}
+
+void TileStore::compact() {
+    std::vector<Tile> tiles;
+    tiles.reserve(kNumUniform + num_tiles());
+    tiles.assign(tiles_.begin(), tiles_.begin() + kNumUniform);
+    for (std::uint32_t& number : directory_.values) {
+        if (number >= kNumUniform) {
+            tiles.push_back(tiles_[number]);
+            number = static_cast<std::uint32_t>(tiles.size() - 1);
+        }
+    }
+    tiles_ = std::move(tiles);
+    free_ = std::vector<std::uint32_t>{};
 }
 
 std::size_t TileStore::bytes() const {

@@ -51,11 +51,11 @@ public:
     /// Makes the rectangle `num_tiles` cover `low` .. `high` (tiles, inclusive); what it held
     /// stays.
     void set_rectangle(Cell low, Cell high);
-    /// Gives back what is held in reserve.
-    void shrink_to_fit() {
-        tiles_.shrink_to_fit();
-        free_.shrink_to_fit();
-    }
+    /// Gives back the bytes that no tile needs, if they are more than an eighth of the tiles'.
+    /// O(directory) when it does, which as many tiles have paid for by collapsing.
+    void give_back();
+    /// Gives back all of them.
+    void compact();
 
     /// Tiles that hold bytes of their own.
     [[nodiscard]] std::size_t num_tiles() const {
