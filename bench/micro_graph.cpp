@@ -111,7 +111,8 @@ public:
             const std::int64_t high = std::max(height(u), height(next));
             const std::int64_t first = floor_divide(low, 2 * du);
             if (low == high && first * 2 * du == low) {
-                if (blocked(steep, u >> 1, first - 1) && blocked(steep, u >> 1, first)) return false;
+                if (blocked(steep, u >> 1, first - 1) && blocked(steep, u >> 1, first))
+                    return false;
                 continue;
             }
             for (std::int64_t row = first; row * 2 * du < high; ++row) {
@@ -177,8 +178,9 @@ Json measure_line_of_sight(const LeafTable& table, const std::vector<LeafId>& no
     json["cells_between_the_leaves_ns"] = nanoseconds(by_columns_between);
     json["bits_ns"] = nanoseconds(by_bits);
     json["bits_between_the_leaves_ns"] = nanoseconds(by_bits_between);
-    json["bits_build_ms"] =
-        median_ms([&] { (void)BlockedCells(table, low, {low.x + reach, low.y + reach}).bytes(); });
+    json["bits_build_ms"] = median_ms([&] {
+        (void)BlockedCells(table, low, {low.x + reach, low.y + reach}).bytes();
+    });
     json["bits_bytes"] = blocked.bytes();
     return json;
 }
@@ -294,10 +296,11 @@ void print(const Json& json) {
                     edges["two_threads_ms"].get<double>());
     }
     const Json& sight = json["line_of_sight"];
-    std::printf("  one line of sight: cells %.0f ns, between the leaves %.0f ns; bits %.0f ns, "
-                "between the leaves %.0f ns\n",
-                sight["cells_ns"].get<double>(), sight["cells_between_the_leaves_ns"].get<double>(),
-                sight["bits_ns"].get<double>(), sight["bits_between_the_leaves_ns"].get<double>());
+    std::printf(
+        "  one line of sight: cells %.0f ns, between the leaves %.0f ns; bits %.0f ns, "
+        "between the leaves %.0f ns\n",
+        sight["cells_ns"].get<double>(), sight["cells_between_the_leaves_ns"].get<double>(),
+        sight["bits_ns"].get<double>(), sight["bits_between_the_leaves_ns"].get<double>());
     const Json& storage = json["storage"];
     for (const std::string kind : {"dense", "dia", "csr"}) {
         std::printf("  %-5s %14zu bytes", kind.c_str(),

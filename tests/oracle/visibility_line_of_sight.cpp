@@ -43,10 +43,8 @@ int compare(Random& random, const test::States& states, std::uint64_t step, int 
         const std::int64_t low = 2 * std::int64_t{states.origin.y};
         if (a == b || b.y < low || b.y > low + 2 * states.height) continue;
         const bool expected = test::slow_line_of_sight(states, a, b);
-        EXPECT_EQ(blocked.sees(a, b), expected)
-            << a.x << ',' << a.y << " to " << b.x << ',' << b.y;
-        EXPECT_EQ(blocked.sees(b, a), expected)
-            << b.x << ',' << b.y << " to " << a.x << ',' << a.y;
+        EXPECT_EQ(blocked.sees(a, b), expected) << a.x << ',' << a.y << " to " << b.x << ',' << b.y;
+        EXPECT_EQ(blocked.sees(b, a), expected) << b.x << ',' << b.y << " to " << a.x << ',' << a.y;
         num_clear += expected ? 1 : 0;
     }
     return num_clear;

@@ -27,9 +27,10 @@ std::vector<WeightedEdge> collect_edge_rows(
         }
     });
     std::vector<WeightedEdge> joined;
-    joined.reserve(std::accumulate(
-        chunks.begin(), chunks.end(), std::size_t{0},
-        [](std::size_t sum, const std::vector<WeightedEdge>& chunk) { return sum + chunk.size(); }));
+    joined.reserve(std::accumulate(chunks.begin(), chunks.end(), std::size_t{0},
+                                   [](std::size_t sum, const std::vector<WeightedEdge>& chunk) {
+                                       return sum + chunk.size();
+                                   }));
     for (std::vector<WeightedEdge>& chunk : chunks) {
         joined.insert(joined.end(), chunk.begin(), chunk.end());
         std::vector<WeightedEdge>().swap(chunk);

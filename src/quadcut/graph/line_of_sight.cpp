@@ -79,8 +79,8 @@ void BlockedCells::open_square(Cell lower_left, std::int32_t side_cells) {
     for (std::int32_t x = first_x; x <= last_x; ++x) columns_.clear(x, first_y, last_y);
 }
 
-/// A segment on its way across the lattice, in a frame where it runs along u > 0 and |dv| <= du. The
-/// rows of the frame are rows of the map for a flat segment, columns for a steep one; a falling
+/// A segment on its way across the lattice, in a frame where it runs along u > 0 and |dv| <= du.
+/// The rows of the frame are rows of the map for a flat segment, columns for a steep one; a falling
 /// segment is mirrored, v to -v, and with it row r to -1 - r.
 class BlockedCells::Walk {
 public:
@@ -100,8 +100,8 @@ public:
 private:
     [[nodiscard]] std::int64_t map_row(std::int64_t row) const { return falls_ ? -1 - row : row; }
 
-    /// Whether two diagonally opposite blocked cells meet at one of the corners first .. last of the
-    /// line between row - 1 and row. Corner c lies between columns c - 1 and c.
+    /// Whether two diagonally opposite blocked cells meet at one of the corners first .. last of
+    /// the line between row - 1 and row. Corner c lies between columns c - 1 and c.
     [[nodiscard]] bool any_pinch(std::int64_t row, std::int64_t first, std::int64_t last) const {
         for (std::int64_t corner = first; corner <= last; corner += kWordBits - 1) {
             const std::uint64_t below = bits_.from(map_row(row - 1), corner - 1);

@@ -25,8 +25,8 @@ struct HalfCell {
             2 * std::int64_t{leaf.lower_left.y} + leaf.side_cells()};
 }
 
-/// Which cells of a rectangle block sight (criterion 1 of the paper): a bit a cell, kept by rows and
-/// by columns. A cell outside the rectangle blocks.
+/// Which cells of a rectangle block sight (criterion 1 of the paper): a bit a cell, kept by rows
+/// and by columns. A cell outside the rectangle blocks.
 ///
 /// The exact rule. Take the union of the closed blocked cells. A closed segment is blocked when it
 /// holds a point of the union's interior, or a corner that two diagonally opposite blocked cells
@@ -46,8 +46,8 @@ public:
 
     /// Whether nothing blocks the closed segment a-b. `clear_a` and `clear_b` are lengths in half
     /// cells, measured from each end along the longer of the axes, that the caller knows to be
-    /// clear: for centres of free leaves, their side_cells(). The same answer with a and b exchanged
-    /// (and clear_a with clear_b). O(cells along the shorter axis).
+    /// clear: for centres of free leaves, their side_cells(). The same answer with a and b
+    /// exchanged (and clear_a with clear_b). O(cells along the shorter axis).
     /// @pre a != b, both on the rectangle, clear_a + clear_b <= max(|dx|, |dy|) < 2^30.
     [[nodiscard]] bool sees(HalfCell a, HalfCell b, std::int64_t clear_a = 0,
                             std::int64_t clear_b = 0) const;

@@ -3,7 +3,7 @@
 #include "quadcut/graph/visibility.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -48,11 +48,6 @@ bool is_within_threshold(const Leaf& i, const Leaf& j) {
     return 400 * distance2 <= 441 * sides * sides;
 }
 
-/// On a grid of equal cells eq. (3) reaches these, in sides: one, sqrt 2 and two sides away.
-constexpr std::array<Cell, 12> kEqualNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1},
-                                                 {1, 1}, {-1, 1}, {-1, -1}, {1, -1},
-                                                 {2, 0}, {0, 2}, {-2, 0}, {0, -2}}};
-
 /// The row of one node: its edges to finer leaves, and to equal ones that come later (rule 2).
 class SightRow {
 public:
@@ -63,16 +58,21 @@ public:
     void append(std::uint32_t node, LeafId id, std::vector<WeightedEdge>& edges) const {
         const Leaf& leaf = table_.leaf(id);
         const std::int32_t side = leaf.side_cells();
-        for (const Cell step : kEqualNeighbours) {
-            const std::optional<LeafId> other = table_.find(
-                {leaf.lower_left.x + step.x * side, leaf.lower_left.y + step.y * side});
-            if (other.has_value() && *other > id && table_.leaf(*other).level == leaf.level) {
-                append_if_seen(node, leaf, *other, edges);
+        // Equal leaves lie on a grid of their size, where eq. (3) reaches those that are one side,
+        // sqrt 2 and two sides away.
+        for (std::int32_t up = -2; up <= 2; ++up) {
+            const std::int32_t most = 2 - std::abs(up);
+            for (std::int32_t right = -most; right <= most; ++right) {
+                const std::optional<LeafId> other =
+                    table_.find({leaf.lower_left.x + right * side, leaf.lower_left.y + up * side});
+                if (other.has_value() && *other > id && table_.leaf(*other).level == leaf.level) {
+                    append_if_seen(node, leaf, *other, edges);
+                }
             }
         }
         if (leaf.level == 0) return;
-        // Rule 3 looks 2.1 sides far; finer leaves allow less. One within Th begins at most 1.05 s_i
-        // + 0.55 s_j from the centre along either axis, and at a multiple of s_j: at 17/16 s_i or
+        // Rule 3 looks 2.1 sides far; finer leaves need less. One within Th begins at most 1.05 s_i
+        // and 0.55 s_j from the centre along either axis, and at a multiple of s_j: at 17/16 s_i or
         // before, for each s_j = s_i / 2, s_i / 4, ... In half cells:
         const HalfCell middle = centre(leaf);
         const std::int64_t reach = 17 * std::int64_t{side} / 8;
@@ -123,19 +123,19 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
         largest_side = std::max(largest_side, table.leaf(id).side_cells());
     }
     const auto loop_weight = [&](LeafId id) {
-        const double side_m = resolution_m * (self_loops == SelfLoops::own_weight
-                                                  ? table.leaf(id).side_cells()
-                                                  : largest_side);
+        const double side_m =
+            resolution_m *
+            (self_loops == SelfLoops::own_weight ? table.leaf(id).side_cells() : largest_side);
         return weight(side_m, side_m);
     };
 
-    return collect_edge_rows(
-        nodes.size(), executor, [&](std::uint32_t node, std::vector<WeightedEdge>& edges) {
-            if (self_loops != SelfLoops::none) {
-                edges.push_back({node, node, loop_weight(nodes[node])});
-            }
-            row.append(node, nodes[node], edges);
-        });
+    return collect_edge_rows(nodes.size(), executor,
+                             [&](std::uint32_t node, std::vector<WeightedEdge>& edges) {
+                                 if (self_loops != SelfLoops::none) {
+                                     edges.push_back({node, node, loop_weight(nodes[node])});
+                                 }
+                                 row.append(node, nodes[node], edges);
+                             });
 }
 
 std::vector<double> leaf_areas_m2(const LeafTable& table, std::span<const LeafId> nodes,

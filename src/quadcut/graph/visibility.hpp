@@ -26,8 +26,8 @@ enum class SelfLoops : std::uint8_t {
 
 /// The edges of the paper's graph G over a region of the map (Algorithm 2): pairs of leaves at most
 /// Th apart, eq. (3), that see each other, criterion 1 as in BlockedCells, with the weight of
-/// eq. (2), metres. Edge ends are positions in `nodes`; the coarser leaf comes first (rule 2; of two
-/// equal ones the earlier), pairs ascend, each is there once.
+/// eq. (2), metres. Edge ends are positions in `nodes`; the coarser leaf comes first (rule 2; of
+/// two equal ones the earlier), pairs ascend, each is there once.
 ///
 /// `nodes` are free leaves of the table, ascending; every leaf of the table stands in the way or
 /// lets sight pass, in the region or not. The same bytes on any number of threads.

@@ -79,8 +79,8 @@ TEST(Graph, ComponentsAreNumberedByTheirFirstNode) {
 }
 
 TEST(Graph, AnInducedSubgraphKeepsTheEdgesBetweenItsNodes) {
-    const std::vector<WeightedEdge> edges{
-        {0, 1, 1.0}, {1, 2, 2.0}, {2, 3, 3.0}, {1, 3, 4.0}, {3, 3, 5.0}, {0, 4, 6.0}};
+    const std::vector<WeightedEdge> edges{{0, 1, 1.0}, {1, 2, 2.0}, {2, 3, 3.0},
+                                          {1, 3, 4.0}, {3, 3, 5.0}, {0, 4, 6.0}};
     const Graph graph = build_graph(edges, {1, 2, 3, 4, 5});
     const Graph sub = induced_subgraph(graph, Columns{1, 3});
     EXPECT_EQ(sub.columns, (Columns{1, 0, 1}));

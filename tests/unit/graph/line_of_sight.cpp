@@ -37,9 +37,7 @@ TEST(LineOfSight, AWallBlocksAndAGapDoesNot) {
     EXPECT_FALSE(sees(rows, {1, 1}, {7, 1}));
 }
 
-TEST(LineOfSight, UnknownBlocksLikeAnObstacle) {
-    EXPECT_FALSE(sees({"..?."}, {1, 1}, {7, 1}));
-}
+TEST(LineOfSight, UnknownBlocksLikeAnObstacle) { EXPECT_FALSE(sees({"..?."}, {1, 1}, {7, 1})); }
 
 TEST(LineOfSight, TouchingOneCornerOfOneCellIsFree) {
     const std::vector<std::string> rows{

@@ -38,7 +38,8 @@ TEST(SightEdges, ACellOfAUniformGridHasTwelveNeighbours) {
     append_cells({0, 0}, 3, leaves);
     const LeafTable table(leaves, Root{{0, 0}, 3});
     const std::vector<LeafId> nodes = test::free_leaves(table);
-    const Graph graph = build_graph(sight_edges(table, nodes, 0.05), leaf_areas_m2(table, nodes, 1.0));
+    const Graph graph =
+        build_graph(sight_edges(table, nodes, 0.05), leaf_areas_m2(table, nodes, 1.0));
     const LeafId middle = *table.find({4, 4});
     const auto neighbours = graph.neighbours(index(middle));
     ASSERT_EQ(neighbours.size(), 12U);
