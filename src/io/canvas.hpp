@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/palette.hpp"
+#include "quadcut/base/geometry.hpp"
+
+namespace quadcut::io {
+
+/// An area of the page, as lines around it. Pixels; x to the right, y down. What is enclosed once
+/// or more, whichever way round, is inside; a hole runs against the line around it.
+class Shape {
+public:
+    /// A closed polygon; the last point joins the first.
+    void add_polygon(std::span<const Point> points);
+    /// A thick line with round ends and joints.
+    void add_line(std::span<const Point> points, double width);
+    /// The same along a closed polygon.
+    void add_closed_line(std::span<const Point> points, double width);
+    void add_disc(Point center, double radius);
+
+    /// A side of the area that is not level: from (x0, y0) down to (x1, y1), y0 < y1.
+    struct Edge {
+        float x0 = 0.0F;
+        float y0 = 0.0F;
+        float x1 = 0.0F;
+        float y1 = 0.0F;
+        /// +1 if the line was given downwards, -1 if upwards.
+        float winding = 1.0F;
+    };
+    [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+
+private:
+    void add_edge(Point from, Point to);
+    void add_segment(Point from, Point to, double width);
+
+    std::vector<Edge> edges_;
+};
+
+/// A picture that areas are painted on, with smooth edges: each pixel takes the colour by the share
+/// of it that the area covers.
+class Canvas {
+public:
+    /// @pre width and height are positive.
+    Canvas(std::int32_t width, std::int32_t height, Rgb paper);
+
+    [[nodiscard]] std::int32_t width() const { return width_; }
+    [[nodiscard]] std::int32_t height() const { return height_; }
+    [[nodiscard]] Rgb at(std::int32_t x, std::int32_t y) const { return pixels_[offset(x, y)]; }
+
+    /// What lies outside of the page is cut off. O(edges log edges + pixels between them).
+    void fill(const Shape& shape, Rgb color, double opacity = 1.0);
+
+    /// 8-bit RGB.
+    [[nodiscard]] std::string encode_png() const;
+
+private:
+    [[nodiscard]] std::size_t offset(std::int32_t x, std::int32_t y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+
+    std::int32_t width_;
+    std::int32_t height_;
+    std::vector<Rgb> pixels_;
+};
+
+}  // namespace quadcut::io

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/floor_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "io/floor_cells.hpp"
+#include "io/number_text.hpp"
+#include "io/outline.hpp"
+#include "io/room_text.hpp"
+
+namespace quadcut::io {
+namespace {
+
+constexpr double kLongPage = 2400.0;
+constexpr double kLongestPage = 8192.0;
+/// The page on which lines and letters have their nominal sizes.
+constexpr double kNominalPage = 2000.0;
+
+struct Layout {
+    PageScale scale;
+    /// Scales line widths and letters.
+    double unit = 1.0;
+};
+
+/// Sets the page's size, and where cells come to lie on it.
+Layout set_page(const Raster<std::uint32_t>& ground, FloorPlan& plan) {
+    const double longest = std::max(ground.width, ground.height);
+    const double pixels_per_cell = longest <= kLongPage ? std::floor(kLongPage / longest)
+                                                        : std::min(1.0, kLongestPage / longest);
+    const double width = std::ceil(ground.width * pixels_per_cell);
+    const double height = std::ceil(ground.height * pixels_per_cell);
+    Layout layout;
+    layout.unit = std::sqrt(std::max(std::max(width, height), kNominalPage / 4.0) / kNominalPage);
+
+    constexpr double kMargin = 24.0;
+    constexpr double kFooter = 64.0;
+    const double margin = std::round(kMargin * layout.unit);
+    plan.page_width = static_cast<std::int32_t>(width + 2.0 * margin);
+    plan.page_height =
+        static_cast<std::int32_t>(height + margin + std::round(kFooter * layout.unit));
+    plan.drawing_origin = {margin, margin};
+    plan.pixels_per_half_cell = pixels_per_cell / 2.0;
+    layout.scale = {margin - ground.origin.x * pixels_per_cell,
+                    margin + (ground.origin.y + ground.height) * pixels_per_cell, pixels_per_cell};
+    return layout;
+}
+
+/// From the map's half cells, y up, to the drawing's.
+std::vector<DrawnRing> draw_rings(const RegionOutline& region, const Raster<std::uint32_t>& frame) {
+    std::vector<DrawnRing> rings;
+    for (const OutlineRing& outline : region.rings) {
+        DrawnRing ring = smooth_ring(outline);
+        for (HalfCell& point : ring) {
+            point = {point.x - 2 * frame.origin.x, 2 * (frame.origin.y + frame.height) - point.y};
+        }
+        if (ring.size() > 2) rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+void append(std::vector<DrawnRing>& to, std::vector<DrawnRing> rings) {
+    std::move(rings.begin(), rings.end(), std::back_inserter(to));
+}
+
+void draw_cells(const FloorCells& cells, FloorPlan& plan) {
+    for (const RegionOutline& region : trace_outlines(cells.ground, kWall)) {
+        std::vector<DrawnRing> rings = draw_rings(region, cells.ground);
+        if (region.value == kLooseFree) {
+            append(plan.loose_free, std::move(rings));
+        } else if (region.value == kWallCore) {
+            append(plan.wall_cores, std::move(rings));
+        } else if (region.value == kWall) {
+            append(plan.walls, std::move(rings));
+        } else {
+            append(plan.rooms[region.value - 1].rings, std::move(rings));
+        }
+    }
+    for (const RegionOutline& region : trace_outlines(cells.furniture, kFurniture)) {
+        append(region.value == kFurniture ? plan.furniture : plan.furniture_insides,
+               draw_rings(region, cells.furniture));
+    }
+}
+
+/// 1, 2 or 5 times a power of ten metres, about a fifth of the page.
+ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resolution_m) {
+    constexpr double kShareOfPage = 0.2;
+    const double pixels_per_metre = layout.scale.pixels_per_cell / resolution_m;
+    const double longest_m = kShareOfPage * plan.page_width / pixels_per_metre;
+    const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
+    double length_m = decade;
+    for (const double factor : {2.0, 5.0}) {
+        if (factor * decade <= longest_m) length_m = factor * decade;
+    }
+    ScaleBar bar;
+    bar.length = length_m * pixels_per_metre;
+    bar.height = std::round(5.0 * layout.unit);
+    bar.text_size = 15.0 * layout.unit;
+    bar.text = rounded(length_m) + " m";
+    bar.origin = {plan.drawing_origin.x, plan.page_height - plan.drawing_origin.x};
+    return bar;
+}
+
+/// A point of the map frame in cells.
+class CellsFromMap {
+public:
+    explicit CellsFromMap(const GridMap& map)
+        : image_from_map_(inverse(map.map_from_image)), resolution_m_(map.resolution_m) {}
+    [[nodiscard]] Point operator()(const Point& point) const {
+        const Point metres = transform(image_from_map_, point);
+        return {metres.x / resolution_m_, metres.y / resolution_m_};
+    }
+
+private:
+    Pose image_from_map_;
+    double resolution_m_;
+};
+
+}  // namespace
+
+std::array<Point, 8> ScaleBar::outline() const {
+    const double right = origin.x + length;
+    const double top = origin.y - height;
+    const double tick_top = origin.y - 2.0 * height;
+    const double tick = height / 3.0;
+    return {{{origin.x, origin.y},
+             {right, origin.y},
+             {right, tick_top},
+             {right - tick, tick_top},
+             {right - tick, top},
+             {origin.x + tick, top},
+             {origin.x + tick, tick_top},
+             {origin.x, tick_top}}};
+}
+
+Point ScaleBar::text_left() const { return {origin.x + length + 0.6 * text_size, origin.y}; }
+
+FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentation,
+                             std::span<const Rgb> colors) {
+    const FloorCells cells = sort_floor_cells(map, segmentation.labels);
+    FloorPlan plan;
+    const Layout layout = set_page(cells.ground, plan);
+    plan.border_width = 1.6 * layout.unit;
+    plan.door_width = 5.0 * layout.unit;
+    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
+        const Room& room = segmentation.rooms[i];
+        plan.rooms.push_back({room.id,
+                              colors[i],
+                              {},
+                              name_of(room),
+                              area_text(room.area_m2),
+                              std::string(to_text(room.kind))});
+    }
+    draw_cells(cells, plan);
+
+    const CellsFromMap cells_from_map(map);
+    for (const Door& door : segmentation.doors) {
+        plan.doors.push_back({layout.scale.to_page(cells_from_map(door.jamb_1)),
+                              layout.scale.to_page(cells_from_map(door.jamb_2)),
+                              "Door between " + plan.rooms[index(door.a) - 1].name + " and " +
+                                  plan.rooms[index(door.b) - 1].name + ", " +
+                                  rounded(door.width_m, 2) + " m"});
+    }
+    const Typeface typeface;
+    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
+        const LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name,
+                             plan.rooms[i].area, cells_from_map(segmentation.rooms[i].label_point),
+                             cells_from_map(segmentation.rooms[i].centroid)};
+        if (auto label = place_label(text, cells.ground, layout.scale, layout.unit, typeface)) {
+            plan.labels.push_back(std::move(*label));
+        }
+    }
+    plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
+    return plan;
+}
+
+}  // namespace quadcut::io

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/geojson.hpp"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "io/format_version.hpp"
+#include "io/json_writer.hpp"
+#include "io/map_frame.hpp"
+#include "io/outline.hpp"
+#include "io/room_text.hpp"
+#include "io/smooth_outline.hpp"
+
+namespace quadcut::io {
+namespace {
+
+/// The connected parts of each room, in order of rooms.
+std::vector<std::vector<RegionOutline>> trace_rooms(const Segmentation& segmentation) {
+    const Raster<std::uint16_t>& labels = segmentation.labels;
+    Raster<std::uint32_t> values(labels.origin, labels.width, labels.height);
+    std::copy(labels.values.begin(), labels.values.end(), values.values.begin());
+    std::vector<std::vector<RegionOutline>> parts(segmentation.rooms.size());
+    for (RegionOutline& outline : trace_outlines(std::move(values))) {
+        parts.at(outline.value - 1).push_back(std::move(outline));
+    }
+    return parts;
+}
+
+std::vector<std::set<std::size_t>> find_neighbours(const Segmentation& segmentation,
+                                                   std::span<const RoomPair> pairs) {
+    std::vector<std::set<std::size_t>> neighbours(segmentation.rooms.size());
+    const auto join = [&](std::size_t a, std::size_t b) {
+        neighbours.at(a - 1).insert(b);
+        neighbours.at(b - 1).insert(a);
+    };
+    for (const RoomPair& pair : pairs) {
+        if (pair.closeness == Closeness::touching) join(pair.a, pair.b);
+    }
+    for (const Door& door : segmentation.doors) join(index(door.a), index(door.b));
+    return neighbours;
+}
+
+class FeatureWriter {
+public:
+    FeatureWriter(JsonWriter& json, const GridMap& map)
+        : json_(json), frame_(map), decimals_(frame_.decimals()), resolution_m_(map.resolution_m) {}
+
+    void room(const Room& room, const std::vector<RegionOutline>& parts,
+              const std::set<std::size_t>& neighbours, Rgb color) {
+        json_.begin_object().key("type").text("Feature");
+        json_.key("id").text("room-" + std::to_string(index(room.id)));
+        json_.key("properties").begin_object();
+        json_.key("type").text("room");
+        json_.key("id").integer(index(room.id));
+        json_.key("name").text(name_of(room));
+        json_.key("kind").text(to_text(room.kind));
+        json_.key("area_m2").number(room.area_m2);
+        json_.key("perimeter_m").number(perimeter_m(parts));
+        json_.key("label_point");
+        point(room.label_point);
+        json_.key("neighbours").begin_array();
+        for (const std::size_t neighbour : neighbours) json_.integer(neighbour);
+        json_.end_array();
+        json_.key("color").text(to_hex(color));
+        json_.end_object();
+        json_.key("geometry");
+        geometry(parts);
+        json_.end_object();
+    }
+
+    void door(const Door& door, std::size_t id) {
+        json_.begin_object().key("type").text("Feature");
+        json_.key("id").text("door-" + std::to_string(id));
+        json_.key("properties").begin_object();
+        json_.key("type").text("door");
+        json_.key("id").integer(id);
+        json_.key("a").integer(index(door.a));
+        json_.key("b").integer(index(door.b));
+        json_.key("width_m").number(door.width_m);
+        json_.key("confidence").number(door.confidence);
+        json_.end_object();
+        json_.key("geometry").begin_object().key("type").text("LineString");
+        json_.key("coordinates").begin_array();
+        point(door.jamb_1);
+        point(door.jamb_2);
+        json_.end_array().end_object().end_object();
+    }
+
+private:
+    void point(const Point& point) {
+        json_.begin_array().number(point.x, decimals_).number(point.y, decimals_).end_array();
+    }
+
+    void geometry(const std::vector<RegionOutline>& parts) {
+        if (parts.empty()) {
+            json_.null();
+            return;
+        }
+        const bool several = parts.size() > 1;
+        json_.begin_object().key("type").text(several ? "MultiPolygon" : "Polygon");
+        json_.key("coordinates");
+        if (several) json_.begin_array();
+        for (const RegionOutline& part : parts) {
+            json_.begin_array();
+            for (const OutlineRing& line : part.rings) ring(corners_of(line));
+            json_.end_array();
+        }
+        if (several) json_.end_array();
+        json_.end_object();
+    }
+
+    void ring(const std::vector<Cell>& corners) {
+        json_.begin_array();
+        for (const Cell corner : corners) point(frame_.corner(corner));
+        point(frame_.corner(corners.front()));
+        json_.end_array();
+    }
+
+    [[nodiscard]] double perimeter_m(const std::vector<RegionOutline>& parts) const {
+        double cells = 0.0;
+        for (const RegionOutline& part : parts) {
+            cells += length_cells(smooth_ring(part.rings.front()));
+        }
+        return cells * resolution_m_;
+    }
+
+    JsonWriter& json_;
+    MapFrame frame_;
+    int decimals_;
+    double resolution_m_;
+};
+
+}  // namespace
+
+std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
+                       std::span<const RoomPair> pairs, std::span<const Rgb> colors) {
+    const std::vector<std::vector<RegionOutline>> parts = trace_rooms(segmentation);
+    const std::vector<std::set<std::size_t>> neighbours = find_neighbours(segmentation, pairs);
+    JsonWriter json;
+    json.begin_object(JsonLayout::lines).key("type").text("FeatureCollection");
+    json.key("format_version").integer(kFormatVersion);
+    json.key("frame").text("map");
+    json.key("features").begin_array(JsonLayout::lines);
+    FeatureWriter features(json, map);
+    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
+        features.room(segmentation.rooms[i], parts[i], neighbours[i], colors[i]);
+    }
+    for (std::size_t i = 0; i < segmentation.doors.size(); ++i) {
+        features.door(segmentation.doors[i], i + 1);
+    }
+    return json.end_array().end_object().finish();
+}
+
+}  // namespace quadcut::io

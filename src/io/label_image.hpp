@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+
+namespace quadcut::io {
+
+/// Regions of an image, as a file shows them: row 0 is the TOP one. 0 = no region, the others are
+/// numbered 1 .. num_regions without gaps, in order of their values in the file.
+struct LabelImage {
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::uint32_t num_regions = 0;
+    std::vector<std::uint32_t> values;
+};
+
+/// Regions of this many pixels or fewer are not counted as regions when segmentations are compared.
+inline constexpr std::size_t kIgnoredRegionPixels = 100;
+
+/// Numbers the values of an image densely: 0 stays 0, values on at most `ignored_pixels` pixels
+/// become 0, the others 1, 2, ... ascending. O(pixels log values).
+/// @pre values.size() == width * height.
+[[nodiscard]] LabelImage number_regions(std::int32_t width, std::int32_t height,
+                                        const std::vector<std::uint32_t>& values,
+                                        std::size_t ignored_pixels = kIgnoredRegionPixels);
+
+/// Reads regions from an image: each grey value (8 or 16 bits), or each colour, except black, is
+/// one. Regions of at most kIgnoredRegionPixels are left out. Throws InputError as read_image does.
+[[nodiscard]] LabelImage read_label_image(const std::filesystem::path& path);
+
+/// Which cells of a map image are free, row 0 at the top.
+struct FreeMask {
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::vector<std::uint8_t> is_free;
+};
+
+/// A cell is free where the image is brighter than 205 of 255, map_server's "unknown"; colours by
+/// their luma. Throws InputError as read_image does.
+[[nodiscard]] FreeMask read_free_mask(const std::filesystem::path& path);
+
+/// A label raster as a 16-bit grey PNG, turned upright: its lowest row is the last one of the
+/// image.
+/// @pre the raster is not empty.
+[[nodiscard]] std::string encode_label_png(const Raster<std::uint16_t>& labels);
+
+}  // namespace quadcut::io

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/label_placement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace quadcut::io {
+namespace {
+
+// Few sizes, so that a page looks set rather than stretched.
+constexpr std::array<double, 8> kSizes = {30.0, 26.0, 22.0, 19.0, 16.5, 14.5, 13.0, 11.5};
+constexpr double kAreaSize = 0.78;    // Of the name's.
+constexpr double kLineGap = 0.55;     // Between name and area, of the name's size.
+constexpr double kPadding = 0.35;     // Around the text, of the name's size.
+constexpr double kEasyPadding = 1.0;  // The same where there is no need to be narrow.
+/// How many sizes smaller the name may become to make space for the area.
+constexpr std::size_t kStepsForArea = 2;
+/// How many sizes larger the text must become to be turned.
+constexpr std::size_t kStepsForTurn = 3;
+
+/// A block of text, its lines one below the other.
+struct Block {
+    double width = 0.0;
+    double height = 0.0;
+    double name_cap = 0.0;
+};
+
+Block measure(const LabelText& text, double size, bool with_area, const Typeface& typeface) {
+    Block block;
+    block.name_cap = typeface.cap_height(size);
+    block.width = typeface.width(text.name, size);
+    block.height = block.name_cap;
+    if (with_area) {
+        block.width = std::max(block.width, typeface.width(text.area, size * kAreaSize));
+        block.height += size * kLineGap + typeface.cap_height(size * kAreaSize);
+    }
+    return block;
+}
+
+bool is_all_room(const Raster<std::uint32_t>& ground, std::uint32_t room, const Point& center,
+                 double width, double height) {
+    const auto low_x = static_cast<std::int32_t>(std::floor(center.x - width / 2.0));
+    const auto low_y = static_cast<std::int32_t>(std::floor(center.y - height / 2.0));
+    const auto high_x = static_cast<std::int32_t>(std::ceil(center.x + width / 2.0)) - 1;
+    const auto high_y = static_cast<std::int32_t>(std::ceil(center.y + height / 2.0)) - 1;
+    if (!ground.contains({low_x, low_y}) || !ground.contains({high_x, high_y})) return false;
+    for (std::int32_t y = low_y; y <= high_y; ++y) {
+        const auto first =
+            ground.values.begin() + static_cast<std::ptrdiff_t>(ground.offset({low_x, y}));
+        if (!std::all_of(first, first + (high_x - low_x + 1),
+                         [room](std::uint32_t cell) { return cell == room; })) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Which of kSizes fits first; kSizes.size() if none.
+struct Fit {
+    std::size_t size = kSizes.size();
+    Point center;
+    bool with_area = false;
+};
+
+class Fitter {
+public:
+    Fitter(const LabelText& text, const Raster<std::uint32_t>& ground, const PageScale& scale,
+           double unit, const Typeface& typeface)
+        : text_(text), ground_(ground), scale_(scale), unit_(unit), typeface_(typeface) {}
+
+    [[nodiscard]] Fit find(TextDirection direction) const {
+        // Where letters have space to breathe, rather than where they just fit.
+        const std::size_t middle = first_size(text_.centroid, direction, false, kEasyPadding);
+        const std::size_t inner = first_size(text_.label_point, direction, false, kEasyPadding);
+        const Fit at_middle = find_at(text_.centroid, direction);
+        const Fit at_inner = find_at(text_.label_point, direction);
+        if (middle == inner) return at_inner.size < at_middle.size ? at_inner : at_middle;
+        return inner < middle ? at_inner : at_middle;
+    }
+
+    [[nodiscard]] RoomLabel label(const Fit& fit, TextDirection direction) const {
+        const double size = kSizes.at(fit.size) * unit_;
+        const Block block = measure(text_, size, fit.with_area, typeface_);
+        const Point center = scale_.to_page(fit.center);
+        // `down`: from the middle of the block to a base line, across the lines of text.
+        const auto anchor = [&](double down) {
+            return direction == TextDirection::along_rows ? Point{center.x, center.y + down}
+                                                          : Point{center.x + down, center.y};
+        };
+        RoomLabel label;
+        label.room = text_.room;
+        label.direction = direction;
+        label.name = {text_.name, size, anchor(block.name_cap - block.height / 2.0)};
+        if (fit.with_area) {
+            label.area = TextLine{text_.area, size * kAreaSize, anchor(block.height / 2.0)};
+        }
+        return label;
+    }
+
+private:
+    [[nodiscard]] Fit find_at(const Point& center, TextDirection direction) const {
+        const std::size_t alone = first_size(center, direction, false, kPadding);
+        if (alone == kSizes.size() || text_.area.empty()) return {alone, center, false};
+        const std::size_t with_area = first_size(center, direction, true, kPadding);
+        const bool worth_it = with_area < kSizes.size() && with_area <= alone + kStepsForArea;
+        return worth_it ? Fit{with_area, center, true} : Fit{alone, center, false};
+    }
+
+    [[nodiscard]] std::size_t first_size(const Point& center, TextDirection direction,
+                                         bool with_area, double padding) const {
+        std::size_t i = 0;
+        while (i < kSizes.size() &&
+               !fits(center, kSizes.at(i) * unit_, direction, with_area, padding)) {
+            ++i;
+        }
+        return i;
+    }
+
+    [[nodiscard]] bool fits(const Point& center, double size, TextDirection direction,
+                            bool with_area, double padding) const {
+        const Block block = measure(text_, size, with_area, typeface_);
+        double width = (block.width + 2.0 * padding * size) / scale_.pixels_per_cell;
+        double height = (block.height + 2.0 * padding * size) / scale_.pixels_per_cell;
+        if (direction == TextDirection::upwards) std::swap(width, height);
+        return is_all_room(ground_, text_.room, center, width, height);
+    }
+
+    const LabelText& text_;
+    const Raster<std::uint32_t>& ground_;
+    const PageScale& scale_;
+    double unit_;
+    const Typeface& typeface_;
+};
+
+}  // namespace
+
+std::optional<RoomLabel> place_label(const LabelText& text, const Raster<std::uint32_t>& ground,
+                                     const PageScale& scale, double unit,
+                                     const Typeface& typeface) {
+    const Fitter fitter(text, ground, scale, unit, typeface);
+    const Fit level = fitter.find(TextDirection::along_rows);
+    const Fit turned = fitter.find(TextDirection::upwards);
+    if (turned.size + kStepsForTurn <= level.size && turned.size < kSizes.size()) {
+        return fitter.label(turned, TextDirection::upwards);
+    }
+    if (level.size == kSizes.size()) return std::nullopt;
+    return fitter.label(level, TextDirection::along_rows);
+}
+
+}  // namespace quadcut::io

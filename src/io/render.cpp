@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/render.hpp"
+
+#include <array>
+#include <vector>
+
+#include "io/canvas.hpp"
+#include "io/typeface.hpp"
+
+namespace quadcut::io {
+namespace {
+
+std::vector<Point> to_page(const FloorPlan& plan, const DrawnRing& ring) {
+    std::vector<Point> points;
+    points.reserve(ring.size());
+    for (const HalfCell point : ring) points.push_back(plan.to_page(point));
+    return points;
+}
+
+void fill_rings(Canvas& canvas, const FloorPlan& plan, const std::vector<DrawnRing>& rings,
+                Rgb ink) {
+    Shape shape;
+    for (const DrawnRing& ring : rings) shape.add_polygon(to_page(plan, ring));
+    canvas.fill(shape, ink);
+}
+
+void draw_room(Canvas& canvas, const FloorPlan& plan, const DrawnRoom& room) {
+    fill_rings(canvas, plan, room.rings, room.color);
+    Shape border;
+    for (const DrawnRing& ring : room.rings) {
+        border.add_closed_line(to_page(plan, ring), plan.border_width);
+    }
+    canvas.fill(border, mixed(room.color, kWallInk, kBorderShare));
+}
+
+void draw_doors(Canvas& canvas, const FloorPlan& plan) {
+    Shape casing;
+    Shape doors;
+    for (const DrawnDoor& door : plan.doors) {
+        const std::array<Point, 2> line = {door.from, door.to};
+        casing.add_line(line, plan.door_width * kCasing);
+        doors.add_line(line, plan.door_width);
+    }
+    canvas.fill(casing, kPaper);
+    canvas.fill(doors, kDoorInk);
+}
+
+/// The letters of a line of text whose middle is at its anchor.
+std::vector<std::vector<Point>> set_text(const TextLine& line, TextDirection direction,
+                                         const Typeface& typeface) {
+    const double half = typeface.width(line.text, line.size) / 2.0;
+    std::vector<std::vector<Point>> outlines = typeface.outlines(line.text, line.size);
+    for (std::vector<Point>& outline : outlines) {
+        for (Point& point : outline) {
+            const double along = point.x - half;
+            point = direction == TextDirection::along_rows
+                        ? Point{line.anchor.x + along, line.anchor.y + point.y}
+                        : Point{line.anchor.x + point.y, line.anchor.y - along};
+        }
+    }
+    return outlines;
+}
+
+void draw_text(Canvas& canvas, const TextLine& line, TextDirection direction, Rgb ink, Rgb halo,
+               const Typeface& typeface) {
+    Shape around;
+    Shape letters;
+    for (const std::vector<Point>& outline : set_text(line, direction, typeface)) {
+        around.add_closed_line(outline, kHalo * line.size);
+        letters.add_polygon(outline);
+    }
+    canvas.fill(around, halo, kHaloOpacity);
+    canvas.fill(letters, ink);
+}
+
+void draw_labels(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) {
+    for (const RoomLabel& label : plan.labels) {
+        const Rgb room = plan.rooms[label.room - 1].color;
+        draw_text(canvas, label.name, label.direction, kTextInk, room, typeface);
+        if (label.area) {
+            draw_text(canvas, *label.area, label.direction, mixed(room, kTextInk, kAreaTextShare),
+                      room, typeface);
+        }
+    }
+}
+
+void draw_scale_bar(Canvas& canvas, const ScaleBar& bar, const Typeface& typeface) {
+    Shape shape;
+    shape.add_polygon(bar.outline());
+    canvas.fill(shape, kTextInk);
+    const double half = typeface.width(bar.text, bar.text_size) / 2.0;
+    const Point left = bar.text_left();
+    const TextLine text{bar.text, bar.text_size, {left.x + half, left.y}};
+    draw_text(canvas, text, TextDirection::along_rows, kTextInk, kPaper, typeface);
+}
+
+}  // namespace
+
+std::string render_png(const FloorPlan& plan) {
+    Canvas canvas(plan.page_width, plan.page_height, kPaper);
+    fill_rings(canvas, plan, plan.loose_free, kLooseFreeInk);
+    for (const DrawnRoom& room : plan.rooms) draw_room(canvas, plan, room);
+    fill_rings(canvas, plan, plan.wall_cores, kWallCoreInk);
+    fill_rings(canvas, plan, plan.furniture_insides, kFurnitureInsideInk);
+    fill_rings(canvas, plan, plan.furniture, kFurnitureInk);
+    fill_rings(canvas, plan, plan.walls, kWallInk);
+    draw_doors(canvas, plan);
+    const Typeface typeface;
+    draw_labels(canvas, plan, typeface);
+    draw_scale_bar(canvas, plan.scale_bar, typeface);
+    return canvas.encode_png();
+}
+
+}  // namespace quadcut::io

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/report.hpp"
+
+#include <string_view>
+#include <variant>
+
+#include "io/format_version.hpp"
+#include "io/json_writer.hpp"
+
+namespace quadcut::io {
+namespace {
+
+/// Sixteen digits: JSON numbers are too coarse for 64 bits.
+std::string hash_text(std::uint64_t hash) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "fnv1a64:";
+    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15U];
+    return text;
+}
+
+void write_options(JsonWriter& json, const std::vector<OptionField>& options) {
+    json.begin_object(JsonLayout::lines);
+    for (const OptionField& option : options) {
+        json.key(option.name);
+        if (double* const* real = std::get_if<double*>(&option.value)) {
+            json.exact_number(**real);
+        } else if (std::size_t* const* count = std::get_if<std::size_t*>(&option.value)) {
+            json.integer(**count);
+        } else {
+            json.text(option_text(option));
+        }
+    }
+    json.end_object();
+}
+
+void write_numbers(JsonWriter& json, const std::vector<double>& values) {
+    json.begin_array();
+    for (const double value : values) json.exact_number(value);
+    json.end_array();
+}
+
+}  // namespace
+
+std::string to_report_json(const GridMap& map, const Segmentation& segmentation,
+                           const RunInfo& info,
+                           const std::vector<std::pair<std::string, double>>& stages_ms) {
+    const SegmentReport& report = segmentation.report;
+    JsonWriter json;
+    json.begin_object(JsonLayout::lines);
+    json.key("format_version").integer(kFormatVersion);
+    json.key("version").text(info.version);
+    json.key("input").text(info.input);
+    json.key("input_hash").text(hash_text(info.input_hash));
+    json.key("map").begin_object();
+    json.key("width").integer(static_cast<std::uint64_t>(map.states.width));
+    json.key("height").integer(static_cast<std::uint64_t>(map.states.height));
+    json.key("resolution_m").exact_number(map.resolution_m);
+    json.end_object();
+    json.key("options");
+    write_options(json, info.options);
+    json.key("num_rooms").integer(segmentation.rooms.size());
+    json.key("num_doors").integer(segmentation.doors.size());
+    json.key("num_leaves").integer(report.num_leaves);
+    json.key("num_edges").integer(report.num_edges);
+    json.key("eigen").begin_array(JsonLayout::lines);
+    for (const EigenReport& cut : report.eigen) {
+        json.begin_object().key("num_nodes").integer(cut.num_nodes).key("eigenvalues");
+        write_numbers(json, cut.eigenvalues);
+        json.key("residuals");
+        write_numbers(json, cut.residuals);
+        json.end_object();
+    }
+    json.end_array().key("warnings").begin_array(JsonLayout::lines);
+    for (const std::string& warning : report.warnings) json.text(warning);
+    json.end_array().key("stages_ms").begin_object();
+    for (const auto& [stage, ms] : stages_ms) json.key(stage).number(ms);
+    return json.end_object().end_object().finish();
+}
+
+}  // namespace quadcut::io

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/map_yaml.hpp"
+#include "quadcut/base/option_field.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut::io {
+
+/// What a report says beside the result itself.
+struct RunInfo {
+    /// Of the program.
+    std::string version;
+    /// The file that was read, as the user named it, and the hash of its bytes.
+    std::string input;
+    std::uint64_t input_hash = 0;
+    /// The options used; what they are bound to is read when the report is written.
+    std::vector<OptionField> options;
+    /// Keys of the map that was read, for the files that carry them on.
+    MapKeys map_keys;
+    /// Threads that prepare the files; the bytes do not depend on it.
+    int num_threads = 1;
+};
+
+/// report.json: what was read, with which options, what came out, and how long each stage took
+/// (`stages_ms`; all else is the same for the same input).
+[[nodiscard]] std::string to_report_json(
+    const GridMap& map, const Segmentation& segmentation, const RunInfo& info,
+    const std::vector<std::pair<std::string, double>>& stages_ms);
+
+}  // namespace quadcut::io

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/results.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "io/file_batch.hpp"
+#include "io/floor_plan.hpp"
+#include "io/geojson.hpp"
+#include "io/graph_json.hpp"
+#include "io/image.hpp"
+#include "io/label_image.hpp"
+#include "io/render.hpp"
+#include "io/rooms_yaml.hpp"
+#include "io/svg.hpp"
+#include "quadcut/base/parallel.hpp"
+
+namespace quadcut::io {
+namespace {
+
+void check_map(const GridMap& map) {
+    if (map.states.width <= 0 || map.states.height <= 0) {
+        throw std::logic_error("a map without cells cannot be written");
+    }
+}
+
+/// The segmentation with labels for exactly the cells of the map.
+Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
+    Segmentation result = segmentation;
+    const Raster<std::uint16_t>& from = segmentation.labels;
+    Raster<std::uint16_t>& to = result.labels;
+    to = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height);
+    for (std::size_t i = 0; i < to.values.size(); ++i) {
+        if (from.contains(to.cell(i))) to.values[i] = from.at(to.cell(i));
+    }
+    return result;
+}
+
+void check_rooms(const Segmentation& segmentation) {
+    const std::vector<Room>& rooms = segmentation.rooms;
+    const auto& labels = segmentation.labels.values;
+    const auto most = std::max_element(labels.begin(), labels.end());
+    bool valid = most == labels.end() || *most <= rooms.size();
+    for (std::size_t i = 0; i < rooms.size(); ++i) valid = valid && index(rooms[i].id) == i + 1;
+    for (const Door& door : segmentation.doors) {
+        for (const RoomId id : {door.a, door.b}) {
+            valid = valid && index(id) > 0 && index(id) <= rooms.size();
+        }
+    }
+    if (!valid) throw std::logic_error("labels or doors name rooms that are not there");
+}
+
+/// A file and how to make its bytes.
+struct Task {
+    std::string name;
+    std::function<std::string()> make;
+};
+
+/// Makes all files, as many at a time as there are threads, and adds them to the batch in order.
+void add_files(FileBatch& batch, const std::vector<Task>& tasks, int num_threads) {
+    std::vector<std::string> contents(tasks.size());
+    parallel_for(Executor{num_threads}, tasks.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) contents[i] = tasks[i].make();
+    });
+    for (std::size_t i = 0; i < tasks.size(); ++i) batch.add(tasks[i].name, contents[i]);
+}
+
+}  // namespace
+
+std::vector<RoomPair> find_near_rooms(const GridMap& map, const Segmentation& segmentation) {
+    constexpr double kWallMetres = 0.8;
+    constexpr double kMostCells = 200.0;
+    const double cells = std::min(std::ceil(kWallMetres / map.resolution_m), kMostCells);
+    return find_room_pairs(segmentation.labels, static_cast<std::int32_t>(cells));
+}
+
+std::vector<Rgb> room_colors(const Segmentation& segmentation,
+                             const std::vector<RoomPair>& near_rooms) {
+    std::vector<RoomKind> kinds;
+    for (const Room& room : segmentation.rooms) kinds.push_back(room.kind);
+    return choose_room_colors(kinds, near_rooms);
+}
+
+void write_results(const std::filesystem::path& folder, const GridMap& map,
+                   const Segmentation& segmentation, const RunInfo& info) {
+    const auto start = std::chrono::steady_clock::now();
+    check_map(map);
+    const Raster<std::uint16_t>& labels = segmentation.labels;
+    const bool covers_map = labels.origin == map.states.origin &&
+                            labels.width == map.states.width && labels.height == map.states.height;
+    if (!covers_map) return write_results(folder, map, on_map(map, segmentation), info);
+    check_rooms(segmentation);
+
+    FileBatch batch(folder);
+    const std::vector<RoomPair> near_rooms = find_near_rooms(map, segmentation);
+    const std::vector<Rgb> colors = room_colors(segmentation, near_rooms);
+    const FloorPlan plan = lay_out_floor_plan(map, segmentation, colors);
+    MapKeys keys = info.map_keys;
+    keys.image = "rooms.png";
+    const std::vector<Task> tasks = {
+        {"rooms_color.png", [&] { return render_png(plan); }},
+        {"rooms.png", [&] { return encode_label_png(labels); }},
+        {"rooms.geojson", [&] { return to_geojson(map, segmentation, near_rooms, colors); }},
+        {"rooms.svg", [&] { return render_svg(plan); }},
+        {"rooms.yaml", [&] { return to_rooms_yaml(map, keys, segmentation.rooms, colors); }},
+        {"graph.json", [&] { return to_graph_json(segmentation); }},
+    };
+    add_files(batch, tasks, info.num_threads);
+
+    std::vector<std::pair<std::string, double>> stages_ms = segmentation.report.stages_ms;
+    const auto now = std::chrono::steady_clock::now();
+    stages_ms.emplace_back("write", std::chrono::duration<double, std::milli>(now - start).count());
+    batch.add("report.json", to_report_json(map, segmentation, info, stages_ms));
+    batch.commit();
+}
+
+void write_map(const std::filesystem::path& folder, const GridMap& map) {
+    check_map(map);
+    constexpr std::uint16_t kOccupiedGrey = 0;
+    constexpr std::uint16_t kFreeGrey = 254;
+    constexpr std::uint16_t kUnknownGrey = 205;
+    const Raster<CellState>& states = map.states;
+    const ImageHeader header{states.width, states.height, 1, 255};
+    const auto fill_row = [&](std::int32_t y, std::span<std::uint16_t> samples) {
+        const Cell first{states.origin.x, states.origin.y + states.height - 1 - y};
+        const std::size_t begin = states.offset(first);
+        for (std::size_t x = 0; x < samples.size(); ++x) {
+            const CellState state = states.values[begin + x];
+            samples[x] = state == CellState::free       ? kFreeGrey
+                         : state == CellState::occupied ? kOccupiedGrey
+                                                        : kUnknownGrey;
+        }
+    };
+    MapKeys keys;
+    keys.image = "map.pgm";
+    FileBatch batch(folder);
+    batch.add(keys.image, encode_pgm(header, fill_row));
+    batch.add("map.yaml", to_map_yaml(map, keys));
+    batch.commit();
+}
+
+}  // namespace quadcut::io

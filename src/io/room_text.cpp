@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/room_text.hpp"
+
+#include "io/number_text.hpp"
+
+namespace quadcut::io {
+
+std::string_view to_text(RoomKind kind) {
+    switch (kind) {
+        case RoomKind::room:
+            return "room";
+        case RoomKind::corridor:
+            return "corridor";
+        case RoomKind::hall:
+            return "hall";
+        case RoomKind::unknown:
+            break;
+    }
+    return "unknown";
+}
+
+std::string name_of(const Room& room) {
+    return room.name.empty() ? "Room " + std::to_string(index(room.id)) : room.name;
+}
+
+std::string area_text(double area_m2) {
+    constexpr double kLarge = 100.0;
+    return rounded(area_m2, area_m2 < kLarge ? 1 : 0) + " m\u00B2";
+}
+
+}  // namespace quadcut::io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut::io {
+
+/// "room", "corridor", "hall" or "unknown".
+[[nodiscard]] std::string_view to_text(RoomKind kind);
+
+/// The room's name, or "Room 7" if it has none.
+[[nodiscard]] std::string name_of(const Room& room);
+
+/// "12.3 m²", whole square metres from 100 on.
+[[nodiscard]] std::string area_text(double area_m2);
+
+}  // namespace quadcut::io
