@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 
-// The graph of leaves: time of the edges, three tests of line of sight on the same pairs, and the
-// weights as a dense matrix, by diagonals and in compressed rows (the paper's Fig. 6).
+// The graph of leaves: CPU time of the edges, four tests of line of sight on the same pairs, and
+// the weights as a dense matrix, by diagonals and in compressed rows (the paper's Fig. 6).
 //
 //   micro_graph [-o FILE.json] [MAP ...]      maps as `quadcut segment` takes them
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -37,23 +37,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRounds = 9;
+constexpr std::size_t kRounds = 9;
 /// No matrix larger than this is built: bytes are computed, the product is not timed.
 constexpr std::size_t kMaxMatrixBytes = std::size_t{256} << 20U;
 
-/// The median wall time of nine calls, milliseconds.
+/// Milliseconds on a clock of the system.
+double read_ms(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+struct Times {
+    double cpu_ms = 0.0;  ///< of all threads together: does not grow when others use the machine
+    double wall_ms = 0.0;
+};
+
+/// The medians of nine calls.
 template <typename Work>
-double median_ms(const Work& work) {
-    std::array<double, kRounds> times_ms{};
-    for (double& time_ms : times_ms) {
-        const auto start = std::chrono::steady_clock::now();
+Times median_times(const Work& work) {
+    std::array<double, kRounds> cpu_ms{};
+    std::array<double, kRounds> wall_ms{};
+    for (std::size_t i = 0; i < kRounds; ++i) {
+        const double cpu_start_ms = read_ms(CLOCK_PROCESS_CPUTIME_ID);
+        const double wall_start_ms = read_ms(CLOCK_MONOTONIC);
         work();
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        time_ms = elapsed.count();
+        wall_ms[i] = read_ms(CLOCK_MONOTONIC) - wall_start_ms;
+        cpu_ms[i] = read_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_ms;
     }
-    std::nth_element(times_ms.begin(), times_ms.begin() + kRounds / 2, times_ms.end());
-    return times_ms[kRounds / 2];
+    std::sort(cpu_ms.begin(), cpu_ms.end());
+    std::sort(wall_ms.begin(), wall_ms.end());
+    return {cpu_ms[kRounds / 2], wall_ms[kRounds / 2]};
+}
+
+template <typename Work>
+double median_cpu_ms(const Work& work) {
+    return median_times(work).cpu_ms;
 }
 
 void fill(GridMap& map, Cell low, Cell high, CellState state) {
@@ -167,7 +186,7 @@ Json measure_line_of_sight(const LeafTable& table, const std::vector<LeafId>& no
     };
     const auto nanoseconds = [&](const auto& test) {
         std::size_t num_clear = 0;
-        const double time_ms = median_ms([&] { num_clear = count(test); });
+        const double time_ms = median_cpu_ms([&] { num_clear = count(test); });
         if (num_clear != edges.size()) {
             throw std::logic_error("the tests of line of sight do not agree");
         }
@@ -178,7 +197,7 @@ Json measure_line_of_sight(const LeafTable& table, const std::vector<LeafId>& no
     json["cells_between_the_leaves_ns"] = nanoseconds(by_columns_between);
     json["bits_ns"] = nanoseconds(by_bits);
     json["bits_between_the_leaves_ns"] = nanoseconds(by_bits_between);
-    json["bits_build_ms"] = median_ms([&] {
+    json["bits_build_ms"] = median_cpu_ms([&] {
         (void)BlockedCells(table, low, {low.x + reach, low.y + reach}).bytes();
     });
     json["bits_bytes"] = blocked.bytes();
@@ -216,13 +235,13 @@ Json measure_storage(const Graph& graph) {
                 dense[row * graph.num_nodes() + graph.columns[k]] = graph.weights[k];
             }
         }
-        json["dense_product_ms"] = median_ms([&] { sink += multiply_dense(dense, x)[0]; });
+        json["dense_product_ms"] = median_cpu_ms([&] { sink += multiply_dense(dense, x)[0]; });
     }
     if (dia_bytes(graph) <= kMaxMatrixBytes) {
         const DiaMatrix matrix = build_dia(graph, kMaxMatrixBytes);
-        json["dia_product_ms"] = median_ms([&] { sink += multiply(matrix, x)[0]; });
+        json["dia_product_ms"] = median_cpu_ms([&] { sink += multiply(matrix, x)[0]; });
     }
-    json["csr_product_ms"] = median_ms([&] { sink += multiply(graph, x)[0]; });
+    json["csr_product_ms"] = median_cpu_ms([&] { sink += multiply(graph, x)[0]; });
     // So that no product is optimised away.
     if (sink < 0.0) std::puts("negative weights");
     return json;
@@ -230,15 +249,16 @@ Json measure_storage(const Graph& graph) {
 
 Json measure_edges(std::size_t num_nodes, const auto& edges_of) {
     std::size_t num_edges = 0;
-    const double one_ms = median_ms([&] { num_edges = edges_of(Executor{1}).size(); });
-    const double two_ms = median_ms([&] { num_edges = edges_of(Executor{2}).size(); });
+    const Times one = median_times([&] { num_edges = edges_of(Executor{1}).size(); });
+    const Times two = median_times([&] { num_edges = edges_of(Executor{2}).size(); });
+    const auto count = static_cast<double>(num_edges);
     Json json;
     json["num_edges"] = num_edges;
-    json["entries_per_node"] =
-        2.0 * static_cast<double>(num_edges) / static_cast<double>(num_nodes);
-    json["one_thread_ms"] = one_ms;
-    json["two_threads_ms"] = two_ms;
-    json["edges_per_s"] = static_cast<double>(num_edges) / one_ms * 1000.0;
+    json["entries_per_node"] = 2.0 * count / static_cast<double>(num_nodes);
+    json["cpu_ms"] = one.cpu_ms;
+    json["one_thread_wall_ms"] = one.wall_ms;
+    json["two_threads_wall_ms"] = two.wall_ms;
+    json["edges_per_cpu_s"] = count / one.cpu_ms * 1000.0;
     return json;
 }
 
@@ -265,7 +285,7 @@ Json measure(const std::string& name, const GridMap& map) {
     const std::vector<WeightedEdge> edges =
         sight_edges(table, nodes, map.resolution_m, SelfLoops::own_weight);
     const std::vector<double> areas_m2 = leaf_areas_m2(table, nodes, map.resolution_m);
-    json["build_graph_ms"] = median_ms([&] { (void)build_graph(edges, areas_m2).num_nodes(); });
+    json["build_graph_ms"] = median_cpu_ms([&] { (void)build_graph(edges, areas_m2).num_nodes(); });
     std::vector<WeightedEdge> pairs = edges;
     std::erase_if(pairs, [](const WeightedEdge& edge) { return edge.a == edge.b; });
     json["line_of_sight"] = measure_line_of_sight(table, nodes, pairs);
@@ -290,10 +310,12 @@ void print(const Json& json) {
     if (!json.contains("sight")) return;
     for (const char* kind : {"sight", "border"}) {
         const Json& edges = json[kind];
-        std::printf("  %-7s %9zu edges, %5.1f entries a node, %8.2f ms, %8.2f ms on two threads\n",
-                    kind, edges["num_edges"].get<std::size_t>(),
-                    edges["entries_per_node"].get<double>(), edges["one_thread_ms"].get<double>(),
-                    edges["two_threads_ms"].get<double>());
+        std::printf(
+            "  %-7s %9zu edges, %5.1f entries a node, %8.2f ms of CPU, %8.2f ms on one thread, "
+            "%8.2f ms on two\n",
+            kind, edges["num_edges"].get<std::size_t>(), edges["entries_per_node"].get<double>(),
+            edges["cpu_ms"].get<double>(), edges["one_thread_wall_ms"].get<double>(),
+            edges["two_threads_wall_ms"].get<double>());
     }
     const Json& sight = json["line_of_sight"];
     std::printf(
