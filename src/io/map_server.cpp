@@ -211,8 +211,8 @@ MapFile read_map(const std::filesystem::path& path, const MapReadOptions& option
     file.keys.resolution_m = options.resolution_m.value_or(file.keys.resolution_m);
     ParsedMap parsed = parse_map_image(bytes, display_name(file.image_path), file.keys);
     file.map = std::move(parsed.map);
-    for (const std::string& warning : parsed.warnings) {
-        file.warnings.push_back(name + ": " + warning);
+    for (std::string& warning : parsed.warnings) {
+        file.warnings.push_back(std::move(warning.insert(0, name + ": ")));
     }
     return file;
 }
