@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/spectral/embedding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadcut {
+
+Embedding embed(const Eigenpairs& pairs, std::size_t num_dims, RowScaling scaling) {
+    // Eq. (5): P = [p_1, ..., p_k], the eigenvectors as columns.
+    Embedding out;
+    out.num_samples = pairs.num_nodes;
+    out.num_dims = std::min(num_dims, pairs.size());
+    out.values.resize(out.num_samples * out.num_dims);
+    for (std::size_t j = 0; j < out.num_dims; ++j) {
+        const auto vector = pairs.vector(j);
+        // Eq. (6): sample i is the row (p_1i, ..., p_ki).
+        for (std::size_t i = 0; i < out.num_samples; ++i) {
+            out.values[i * out.num_dims + j] = vector[i];
+        }
+    }
+    if (scaling == RowScaling::none) return out;
+    for (std::size_t i = 0; i < out.num_samples; ++i) {
+        const auto row = std::span(out.values).subspan(i * out.num_dims, out.num_dims);
+        double squared = 0.0;
+        for (const double value : row) squared += value * value;
+        if (squared == 0.0) continue;
+        for (double& value : row) value /= std::sqrt(squared);
+    }
+    return out;
+}
+
+}  // namespace quadcut
