@@ -19,8 +19,6 @@ enum class RoomId : std::uint32_t {};
 
 template <typename Id>
     requires std::is_enum_v<Id>
-[[nodiscard]] constexpr std::size_t index(Id id) {
-    return static_cast<std::size_t>(id);
-}
+[[nodiscard]] constexpr std::size_t index(Id id) { return static_cast<std::size_t>(id); }
 
 }  // namespace quadcut

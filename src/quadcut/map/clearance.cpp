@@ -40,7 +40,8 @@ void sweep_columns(const Raster<std::uint8_t>& open, Raster<float>& out, std::si
 /// One parabola outside each end of the row (g = 0) stands for the blocked outside.
 class RowEnvelope {
 public:
-    explicit RowEnvelope(std::size_t width) : vertex_(width + 2), height_(width + 2), from_(width + 3) {}
+    explicit RowEnvelope(std::size_t width)
+        : vertex_(width + 2), height_(width + 2), from_(width + 3) {}
 
     void transform(float* row, std::size_t width, float resolution_m) {
         count_ = 0;

@@ -61,8 +61,7 @@ Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
            const Executor& executor) {
     Pieces pieces;
     if (region.num_nodes() == 0) return pieces;
-    const std::size_t num_pairs =
-        options.num_pieces != 0 ? options.num_pieces : options.max_pieces;
+    const std::size_t num_pairs = options.num_pieces != 0 ? options.num_pieces : options.max_pieces;
     EigenOptions eigen_options;
     eigen_options.seed = options.seed;
     clock.begin("eigen");
@@ -75,9 +74,9 @@ Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
     if (options.num_pieces != 0) {
         KMeansOptions k_means;
         k_means.seed = options.seed;
-        clusters = cluster_k_means(embed(pairs, options.num_pieces), options.num_pieces, k_means,
-                                   executor)
-                       .clustering;
+        clusters =
+            cluster_k_means(embed(pairs, options.num_pieces), options.num_pieces, k_means, executor)
+                .clustering;
     } else {
         ChooseOptions choose;
         choose.max_clusters = options.max_pieces;

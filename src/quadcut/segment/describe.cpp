@@ -23,12 +23,11 @@ Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels) {
         for (std::size_t x = 1; x + 1 < width; ++x) {
             const std::size_t i = y * width + x;
             const std::uint32_t label = labels.values[i];
-            interior.values[i] = label != 0 && labels.values[i - 1] == label &&
-                                         labels.values[i + 1] == label &&
-                                         labels.values[i - width] == label &&
-                                         labels.values[i + width] == label
-                                     ? 1
-                                     : 0;
+            interior.values[i] =
+                label != 0 && labels.values[i - 1] == label && labels.values[i + 1] == label &&
+                        labels.values[i - width] == label && labels.values[i + width] == label
+                    ? 1
+                    : 0;
         }
     }
     return interior;
@@ -45,7 +44,8 @@ struct Shape {
 
 std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                   const GridMap& map, const Executor& executor) {
-    const Raster<float> depth = clearance_m(interior_of_regions(labels), map.resolution_m, executor);
+    const Raster<float> depth =
+        clearance_m(interior_of_regions(labels), map.resolution_m, executor);
     std::vector<Shape> shapes(count + 1);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         if (labels.values[i] == 0) continue;

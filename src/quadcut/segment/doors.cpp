@@ -27,8 +27,7 @@ std::map<Pair, std::vector<Contact>> find_contacts(const Raster<std::uint32_t>& 
         const std::uint32_t a = labels.at(p);
         const std::uint32_t b = labels.at(q);
         if (a == 0 || b == 0 || a == b) return;
-        contacts[{std::min(a, b), std::max(a, b)}].push_back(a < b ? Contact{p, q}
-                                                                   : Contact{q, p});
+        contacts[{std::min(a, b), std::max(a, b)}].push_back(a < b ? Contact{p, q} : Contact{q, p});
     };
     for (std::int32_t y = 0; y < labels.height; ++y) {
         for (std::int32_t x = 0; x < labels.width; ++x) {

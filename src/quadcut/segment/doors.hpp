@@ -16,8 +16,7 @@ namespace quadcut {
 /// O(cells + 5 m around each opening).
 [[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
                                            std::uint32_t num_regions,
-                                           const Raster<float>& clearance_m,
-                                           double resolution_m, const Pose& map_from_image,
-                                           double min_width_m = 0.3);
+                                           const Raster<float>& clearance_m, double resolution_m,
+                                           const Pose& map_from_image, double min_width_m = 0.3);
 
 }  // namespace quadcut

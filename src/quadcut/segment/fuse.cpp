@@ -128,8 +128,8 @@ private:
 void push_saddles(RegionGraph& regions, std::uint32_t region, double max_width_m,
                   std::priority_queue<Candidate>& queue) {
     for (const auto& [other, saddle] : regions.saddles(region)) {
-        queue.push({regions.door_likeness(saddle, max_width_m), region, other, regions.version(region),
-                    regions.version(other)});
+        queue.push({regions.door_likeness(saddle, max_width_m), region, other,
+                    regions.version(region), regions.version(other)});
     }
 }
 
@@ -139,8 +139,7 @@ void join_across_wide_saddles(RegionGraph& regions, const FuseOptions& options) 
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other < region) continue;
-            queue.push(
-                {regions.door_likeness(saddle, options.max_width_m), region, other, 0, 0});
+            queue.push({regions.door_likeness(saddle, options.max_width_m), region, other, 0, 0});
         }
     }
     while (!queue.empty() && queue.top().key < options.min_log_odds) {
@@ -197,7 +196,8 @@ FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
     }
     fused.labels = Raster<std::uint32_t>(pieces.origin, pieces.width, pieces.height);
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
-        if (pieces.values[i] != 0) fused.labels.values[i] = label[regions.region_of(pieces.values[i])];
+        if (pieces.values[i] != 0)
+            fused.labels.values[i] = label[regions.region_of(pieces.values[i])];
     }
     for (std::uint32_t region = 1; region <= num_pieces; ++region) {
         if (label[region] == 0) continue;

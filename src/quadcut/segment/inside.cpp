@@ -42,8 +42,9 @@ Component grow_component(const Raster<std::uint8_t>& free, std::size_t seed,
 
 Raster<std::uint8_t> mask_of(const GridMap& map, CellState state) {
     Raster<std::uint8_t> mask(map.states.origin, map.states.width, map.states.height);
-    std::transform(map.states.values.begin(), map.states.values.end(), mask.values.begin(),
-                   [state](CellState own) { return own == state ? std::uint8_t{1} : std::uint8_t{0}; });
+    std::transform(
+        map.states.values.begin(), map.states.values.end(), mask.values.begin(),
+        [state](CellState own) { return own == state ? std::uint8_t{1} : std::uint8_t{0}; });
     return mask;
 }
 

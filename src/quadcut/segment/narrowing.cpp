@@ -110,8 +110,8 @@ void measure_jambs(const Raster<float>& clearance, double resolution_m, const Sa
     const WallRun start =
         walk_along_wall(clearance, resolution_m, out.jambs[0], {-along.x, -along.y});
     out.jamb_m = std::min(end.both_m, 0.4) + std::min(start.both_m, 0.4);
-    out.flush_m = std::min(0.5, std::max(std::min(end.left_m, start.right_m),
-                                         std::min(end.right_m, start.left_m)));
+    out.flush_m = std::min(
+        0.5, std::max(std::min(end.left_m, start.right_m), std::min(end.right_m, start.left_m)));
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ struct OpenSpaceOptions {
 /// that stands in them. Small isolated obstacles (legs of tables and chairs, bins) do not make a
 /// room narrower; what is enclosed by one belongs to it.
 /// `kept`: 1 = a free cell that is part of the result. O(cells).
-[[nodiscard]] Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept,
-                                              double resolution_m,
+[[nodiscard]] Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
                                               const OpenSpaceOptions& options = {});
 
 }  // namespace quadcut

@@ -80,8 +80,7 @@ std::vector<OptionField> option_fields(SegmentOptions& options) {
     add_paper_fields(options.paper, fields);
     fields.push_back({"threads", "", 1, 256, "threads; the result does not depend on it", "",
                       &options.num_threads});
-    fields.push_back(
-        {"seed", "", 0, 1e15, "seed of the clusterings' starts", "", &options.seed});
+    fields.push_back({"seed", "", 0, 1e15, "seed of the clusterings' starts", "", &options.seed});
     return fields;
 }
 

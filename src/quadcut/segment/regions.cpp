@@ -53,9 +53,9 @@ std::vector<std::size_t> grow(const Raster<T>& raster, std::size_t seed, std::ve
 
 template <typename Key>
 std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
-    const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& p, const auto& q) {
-        return p.second < q.second;
-    });
+    const auto most =
+        std::max_element(counts.begin(), counts.end(),
+                         [](const auto& p, const auto& q) { return p.second < q.second; });
     return most == counts.end() ? 0 : most->first;
 }
 
@@ -72,9 +72,8 @@ std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
         const std::uint32_t label = labels.values[seed];
         if (label == 0 || seen[seed]) continue;
-        Part part{label, grow(labels, seed, seen, [&](std::size_t cell) {
-                      return labels.values[cell] == label;
-                  })};
+        Part part{label, grow(labels, seed, seen,
+                              [&](std::size_t cell) { return labels.values[cell] == label; })};
         Part& best = largest[label];
         if (part.cells.size() > best.cells.size()) std::swap(part, best);
         if (!part.cells.empty()) detached.push_back(std::move(part));
@@ -110,8 +109,7 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
                 if (labels.values[next] != 0) {
                     ++walk.ways[labels.values[next]];
                     walk.arrivals.emplace_back(labels.values[next], cell);
-                } else if (free.values[next] == 0 &&
-                           walk.reached_from.emplace(next, cell).second) {
+                } else if (free.values[next] == 0 && walk.reached_from.emplace(next, cell).second) {
                     next_front.push_back(next);
                 }
             }
@@ -139,17 +137,15 @@ void connect_regions(Raster<std::uint32_t>& labels) {
 
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2) {
-    const auto max_cells =
-        static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));
+    const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));
     const auto max_steps =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
     std::vector<bool> seen(labels.values.size(), false);
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
         if (free.values[seed] == 0 || labels.values[seed] != 0 || seen[seed]) continue;
-        const std::vector<std::size_t> pocket =
-            grow(labels, seed, seen, [&](std::size_t cell) {
-                return free.values[cell] != 0 && labels.values[cell] == 0;
-            });
+        const std::vector<std::size_t> pocket = grow(labels, seed, seen, [&](std::size_t cell) {
+            return free.values[cell] != 0 && labels.values[cell] == 0;
+        });
         if (pocket.size() > max_cells) continue;
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
         const std::uint32_t room = most_frequent(walk.ways);

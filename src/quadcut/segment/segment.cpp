@@ -106,8 +106,8 @@ Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std:
     clock.begin("map");
     const FreeLeaves leaves = free_leaves(map_of(open, map.resolution_m));
     clock.begin("graph");
-    const Graph graph = narrowness_graph(leaves, clearance, map.resolution_m,
-                                         options.full_clearance_m, executor);
+    const Graph graph =
+        narrowness_graph(leaves, clearance, map.resolution_m, options.full_clearance_m, executor);
     // 4. The spectral over-cut, its borders moved to the narrowest lines.
     OverCutOptions over_cut_options;
     over_cut_options.max_eigenvalue_per_m2 = options.max_eigenvalue_per_m2;

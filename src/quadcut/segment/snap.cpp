@@ -55,8 +55,7 @@ std::vector<std::uint32_t> majority_pieces(const Basins& basins, const LeafTable
 
 Basins snap_to_basins(const Basins& basins, const LeafTable& leaves, std::span<const LeafId> nodes,
                       std::span<const std::uint32_t> piece_of_node) {
-    const std::vector<std::uint32_t> pieces =
-        majority_pieces(basins, leaves, nodes, piece_of_node);
+    const std::vector<std::uint32_t> pieces = majority_pieces(basins, leaves, nodes, piece_of_node);
     std::vector<std::uint32_t> parent(basins.count + 1);
     std::iota(parent.begin(), parent.end(), 0U);
     const auto find = [&](std::uint32_t basin) {

@@ -166,10 +166,9 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
         waiting.pop_back();
         clock.begin("fuse");
         const Graph submap = induced_subgraph(graph, nodes);
-        const double area_m2 =
-            std::accumulate(submap.area_m2.begin(), submap.area_m2.end(), 0.0);
-        const bool too_large = area_m2 > limits.max_area_m2 ||
-                               longest_route_edges(submap) > limits.max_route_edges;
+        const double area_m2 = std::accumulate(submap.area_m2.begin(), submap.area_m2.end(), 0.0);
+        const bool too_large =
+            area_m2 > limits.max_area_m2 || longest_route_edges(submap) > limits.max_route_edges;
         Pieces parts;
         if (too_large && nodes.size() > 2) parts = cut(submap, in_two, clock, executor);
         if (parts.count < 2) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <gtest/gtest.h>
+#include "quadcut/map/clearance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "quadcut/base/random.hpp"
-#include "quadcut/map/clearance.hpp"
 #include "tests/unit/segment/drawing.hpp"
 
 namespace quadcut {
@@ -43,8 +44,8 @@ TEST(Clearance, EqualsBruteForceOnRandomMasks) {
 TEST(Clearance, MiddleOfACorridorIsHalfItsWidth) {
     // Five free cells across.
     const Raster<std::uint8_t> open =
-        test::drawn_mask({"###########", "...........", "...........", "...........",
-                          "...........", "...........", "###########"});
+        test::drawn_mask({"###########", "...........", "...........", "...........", "...........",
+                          "...........", "###########"});
     const Raster<float> clearance = clearance_m(open, 0.2);
     EXPECT_FLOAT_EQ(clearance.at({5, 3}), 2.5F * 0.2F);
     EXPECT_FLOAT_EQ(clearance.at({5, 1}), 0.5F * 0.2F);

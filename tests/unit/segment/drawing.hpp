@@ -54,9 +54,8 @@ inline Raster<std::uint32_t> drawn_labels(const std::vector<std::string>& rows) 
                                  static_cast<std::int32_t>(rows.size()));
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         const Cell cell = labels.cell(i);
-        const char c =
-            rows[rows.size() - 1 - static_cast<std::size_t>(cell.y)][static_cast<std::size_t>(
-                cell.x)];
+        const char c = rows[rows.size() - 1 - static_cast<std::size_t>(cell.y)]
+                           [static_cast<std::size_t>(cell.x)];
         labels.values[i] = c >= 'a' && c <= 'z' ? static_cast<std::uint32_t>(c - 'a') + 1 : 0;
     }
     return labels;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/segment/describe.hpp"
@@ -117,7 +117,8 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     }
     EXPECT_NEAR(std::min(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.0, 0.05);
     EXPECT_NEAR(std::max(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.8, 0.05);
-    EXPECT_EQ(find_doors(labels, 2, clearance, 0.05, {}, 1.0).size(), 1U) << "the narrow one is out";
+    EXPECT_EQ(find_doors(labels, 2, clearance, 0.05, {}, 1.0).size(), 1U)
+        << "the narrow one is out";
 }
 
 TEST(Describe, NumbersRunInReadingOrder) {

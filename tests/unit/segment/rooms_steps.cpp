@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/segment/basins.hpp"
@@ -62,8 +62,7 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
               std::set<std::int32_t>({29, 48}));
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(gauge.measure(saddle, {halves, own})),
-                     door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(gauge.measure(saddle, {halves, own})), door_log_odds(narrowing));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
@@ -78,8 +77,8 @@ TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
         if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
     }
     NarrowingGauge gauge(clearance, 0.05);
-    const Narrowing narrowing = gauge.measure(
-        {{99, 21}, {100, 21}, clearance.at({99, 21})}, {halves, std::vector<std::uint32_t>{0, 1, 2}});
+    const Narrowing narrowing = gauge.measure({{99, 21}, {100, 21}, clearance.at({99, 21})},
+                                              {halves, std::vector<std::uint32_t>{0, 1, 2}});
     EXPECT_LT(door_log_odds(narrowing), 0.0);
 }
 
@@ -125,16 +124,15 @@ TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
 }
 
 TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {
-    const std::vector<std::string> rows{
-        "####################",  //
-        "#..................#",  //
-        "#..##..............#",  // a leg of 0.2 x 0.2 m
-        "#..##......####....#",  // a box drawn as an outline
-        "#..........#..#....#",  //
-        "#..........####....#",  //
-        "#...............####",  // a stub of wall
-        "#..................#",  //
-        "####################"};
+    const std::vector<std::string> rows{"####################",  //
+                                        "#..................#",  //
+                                        "#..##..............#",  // a leg of 0.2 x 0.2 m
+                                        "#..##......####....#",  // a box drawn as an outline
+                                        "#..........#..#....#",  //
+                                        "#..........####....#",  //
+                                        "#...............####",  // a stub of wall
+                                        "#..................#",  //
+                                        "####################"};
     Raster<std::uint8_t> kept = test::drawn_mask(rows, '.', 2);
     // The inside of the box is no part of what is kept.
     for (std::int32_t y = 8; y < 10; ++y) {
