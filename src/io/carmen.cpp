@@ -46,6 +46,14 @@ bool find_posed_lines(std::string_view bytes, const std::string& name) {
     return false;
 }
 
+/// Whether the laser is elsewhere than the odometry, farther than a laser is from its robot.
+bool is_corrected(const LaserLine& laser) {
+    constexpr double kMaxLaserOffset = 1.0;
+    if (!laser.odometry) return false;
+    const Pose& pose = laser.laser_pose;
+    return distance({pose.x, pose.y}, {laser.odometry->x, laser.odometry->y}) > kMaxLaserOffset;
+}
+
 /// Ranges are floats: a limit between two of them must not let the lower one pass.
 double as_range(double limit_m) { return static_cast<double>(static_cast<float>(limit_m)); }
 
@@ -123,15 +131,26 @@ bool CarmenReader::find_pose(LaserLine& laser, const Line& line) {
         note(counts_.bad_poses, line, "expected a finite pose");
         return false;
     }
-    if (laser.name.kind == LaserKind::front) front_yaw_ = laser.laser_pose.yaw_rad;
-    if (laser.name.kind == LaserKind::rear) {
-        // Some writers state the robot's heading, others the rear laser's, half a turn from it.
-        double robot_yaw = laser.odometry ? laser.odometry->yaw_rad : laser.laser_pose.yaw_rad;
-        if (front_yaw_) robot_yaw = *front_yaw_;
-        const double turned = normalized(laser.laser_pose.yaw_rad - robot_yaw);
-        if (!(std::abs(turned) > 0.5 * kPi)) laser.laser_pose.yaw_rad += kPi;
+    if (laser.name.kind == LaserKind::front) {
+        front_yaw_ = laser.laser_pose.yaw_rad;
+        is_front_corrected_ = is_corrected(laser);
     }
+    if (laser.name.kind == LaserKind::rear && !turn_rear_laser(laser, line)) return false;
     laser.laser_pose.yaw_rad = normalized(laser.laser_pose.yaw_rad);
+    return true;
+}
+
+bool CarmenReader::turn_rear_laser(LaserLine& laser, const Line& line) {
+    // Programs that correct the poses of a log may have known of FLASER only.
+    if (is_front_corrected_ && laser.odometry && !is_corrected(laser)) {
+        note(counts_.uncorrected_scans, line, "expected a corrected pose, as FLASER has");
+        return false;
+    }
+    // Some writers state the robot's heading, others the rear laser's, half a turn from it.
+    double robot_yaw = laser.odometry ? laser.odometry->yaw_rad : laser.laser_pose.yaw_rad;
+    if (front_yaw_) robot_yaw = *front_yaw_;
+    const double turned = normalized(laser.laser_pose.yaw_rad - robot_yaw);
+    if (!(std::abs(turned) > 0.5 * kPi)) laser.laser_pose.yaw_rad += kPi;
     return true;
 }
 
@@ -211,6 +230,7 @@ std::vector<std::string> CarmenReader::warnings() const {
          "lines with unusable poses skipped");
     warn(counts_.scans_without_odometry, "raw scan without a pose skipped",
          "raw scans without a pose skipped");
+    warn(counts_.uncorrected_scans, "rear scan skipped", "rear scans skipped");
     warn(counts_.invalid_ranges, "beam with a negative range or none ignored",
          "beams with negative ranges or none ignored");
     warn(counts_.backward_times, "time stamp runs backwards (the order of the lines is kept)",

@@ -39,6 +39,7 @@ struct LogCounts {
     LineCount bad_laser_lines;         ///< laser messages that cannot be used
     LineCount bad_poses;               ///< laser messages whose pose is no number, or absurd
     LineCount scans_without_odometry;  ///< RAWLASER before the first ODOM
+    LineCount uncorrected_scans;       ///< RLASER left in the frame that FLASER was moved out of
     LineCount backward_times;          ///< kept: the order of the lines is right
     LineCount invalid_ranges;          ///< single beams
 };
@@ -74,6 +75,7 @@ private:
 
     std::optional<Scan> read_laser(LaserName name, std::string_view fields, const Line& line);
     bool find_pose(LaserLine& laser, const Line& line);
+    bool turn_rear_laser(LaserLine& laser, const Line& line);
     Scan make_scan(LaserLine laser, const Line& line);
     void read_other(std::string_view message, std::string_view fields, const Line& line);
     void read_parameter(std::string_view fields);
@@ -88,6 +90,7 @@ private:
     std::size_t last_laser_ = 0;
     std::optional<Pose> odometry_;
     std::optional<double> front_yaw_;
+    bool is_front_corrected_ = false;
     std::optional<bool> has_posed_lines_;
     double last_time_s_ = 0.0;
     bool has_time_ = false;

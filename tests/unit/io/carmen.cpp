@@ -28,7 +28,7 @@ std::string error_in(const std::string& text) {
 /// A FLASER of four beams.
 std::string flaser(const std::string& pose, const std::string& time = "1.5",
                    const std::string& ranges = "1 2 3 4") {
-    return "FLASER 4 " + ranges + " " + pose + " 7 7 7 " + time + " host 9.5\n";
+    return "FLASER 4 " + ranges + " " + pose + " 0 0 0 " + time + " host 9.5\n";
 }
 
 std::string rawlaser(int number) {
@@ -79,6 +79,19 @@ TEST(Carmen, ARearLaserThatStatesItsOwnHeadingKeepsIt) {
     // Against its own odometry when there is no front laser.
     const std::string alone = "RLASER 4 1 1 1 1 0 0 -2.9 0 0 0.2 1 host 1\n";
     EXPECT_NEAR(parse(alone).scans[0].world_from_sensor.yaw_rad, -2.9, 1e-12);
+}
+
+TEST(Carmen, ARearLaserThatWasNotCorrectedIsSkipped) {
+    // FLASER stands 5 m from its odometry, RLASER on its own.
+    const std::string front = "FLASER 4 1 1 1 1 5 0 0.2 0 0 0 1 host 1\n";
+    const std::string rear = "RLASER 4 1 1 1 1 -0.3 0 0 0 0 0 1 host 1\n";
+    const std::string corrected = "RLASER 4 1 1 1 1 4.7 0 0.2 0 0 0 1 host 1\n";
+    const LogFile log = parse(front + rear + corrected);
+    ASSERT_EQ(log.scans.size(), 2U);
+    EXPECT_EQ(log.scans[1].world_from_sensor.x, 4.7);
+    EXPECT_EQ(log.warnings, Warnings{"x.log: 1 rear scan skipped, the first in line 2: expected a "
+                                     "corrected pose, as FLASER has"});
+    EXPECT_EQ(parse(rear + rear).scans.size(), 2U);
 }
 
 TEST(Carmen, ARobotLaserBringsPoseAnglesAndRange) {
@@ -241,7 +254,7 @@ TEST(Carmen, AnEndlessLineIsSkipped) {
 
 TEST(Carmen, ReadsOneScanAtATime) {
     const std::string text =
-        flaser("1 0 0") + "junk\n" + flaser("2 0 0") + "RLASER 4 1 1 1 1 0 0 0 0 0 0 1 host 1\n";
+        flaser("1 0 0") + "junk\n" + flaser("2 0 0") + "RLASER 4 1 1 1 1 2 0 0 0 0 0 1 host 1\n";
     CarmenReader reader(text, "x.log");
     ASSERT_TRUE(reader.next().has_value());
     EXPECT_EQ(reader.counts().lines, 1U);
