@@ -24,9 +24,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/dia.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/graph/border_edges.hpp"
-#include "quadcut/graph/dia.hpp"
 #include "quadcut/graph/line_of_sight.hpp"
 #include "quadcut/graph/visibility.hpp"
 #include "quadcut/map/leaf_table.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/graph/dia.hpp"
+
+#include "bench/dia.hpp"
 
 #include <stdexcept>
 #include <vector>

@@ -1,27 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/graph/dia.hpp"
+#pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
+#include <vector>
+
+#include "quadcut/graph/graph.hpp"
 
 namespace quadcut {
-namespace {
+
+/// A square matrix by its diagonals, the storage that the paper proposes for the graph's weights:
+/// diagonal d holds the entries (i, i + offsets[d]), and values[d * size + i] is the one of row i.
+/// Offsets ascend. Places beyond the matrix hold 0. It pays only when the entries lie on few
+/// diagonals; a quadtree's do not, so the graph itself stays in compressed sparse rows.
+struct DiaMatrix {
+    std::size_t size = 0;
+    std::vector<std::int64_t> offsets;
+    std::vector<double> values;
+};
 
 /// a * b, or the largest number there is.
-std::size_t bounded_product(std::size_t a, std::size_t b) {
+[[nodiscard]] inline std::size_t bounded_product(std::size_t a, std::size_t b) {
     constexpr std::size_t kMax = std::numeric_limits<std::size_t>::max();
     return b != 0 && a > kMax / b ? kMax : a * b;
 }
 
-std::size_t dia_bytes(std::size_t size, std::size_t num_diagonals) {
+[[nodiscard]] inline std::size_t dia_bytes(std::size_t size, std::size_t num_diagonals) {
     return bounded_product(num_diagonals, sizeof(std::int64_t) + size * sizeof(double));
 }
 
-}  // namespace
-
-std::vector<std::int64_t> diagonal_offsets(const Graph& graph) {
+/// The offsets of the diagonals that hold an entry, ascending. O(nodes + entries).
+[[nodiscard]] inline std::vector<std::int64_t> diagonal_offsets(const Graph& graph) {
     const auto size = static_cast<std::int64_t>(graph.num_nodes());
     std::vector<bool> present(static_cast<std::size_t>(2 * size), false);
     for (std::int64_t row = 0; row < size; ++row) {
@@ -36,20 +50,23 @@ std::vector<std::int64_t> diagonal_offsets(const Graph& graph) {
     return offsets;
 }
 
-std::size_t dense_bytes(const Graph& graph) {
+/// Bytes of the weights in each storage: what would be allocated, without allocating it.
+[[nodiscard]] inline std::size_t dense_bytes(const Graph& graph) {
     return bounded_product(graph.num_nodes(), bounded_product(graph.num_nodes(), sizeof(double)));
 }
 
-std::size_t csr_bytes(const Graph& graph) {
+[[nodiscard]] inline std::size_t csr_bytes(const Graph& graph) {
     return graph.row_begin.size() * sizeof(graph.row_begin[0]) +
            graph.columns.size() * (sizeof(graph.columns[0]) + sizeof(graph.weights[0]));
 }
 
-std::size_t dia_bytes(const Graph& graph) {
+[[nodiscard]] inline std::size_t dia_bytes(const Graph& graph) {
     return dia_bytes(graph.num_nodes(), diagonal_offsets(graph).size());
 }
 
-DiaMatrix build_dia(const Graph& graph, std::size_t max_bytes) {
+/// The weights by diagonals. Throws std::length_error if that takes more than `max_bytes`: ask
+/// dia_bytes() before. O(dia_bytes).
+[[nodiscard]] inline DiaMatrix build_dia(const Graph& graph, std::size_t max_bytes) {
     DiaMatrix matrix;
     matrix.size = graph.num_nodes();
     matrix.offsets = diagonal_offsets(graph);
@@ -71,7 +88,10 @@ DiaMatrix build_dia(const Graph& graph, std::size_t max_bytes) {
     return matrix;
 }
 
-std::vector<double> multiply(const DiaMatrix& matrix, std::span<const double> x) {
+/// W x, each row summed by ascending column. @pre x.size() == number of rows, else
+/// std::logic_error.
+[[nodiscard]] inline std::vector<double> multiply(const DiaMatrix& matrix,
+                                                  std::span<const double> x) {
     if (x.size() != matrix.size) throw std::logic_error("multiply: the sizes do not match");
     std::vector<double> y(matrix.size, 0.0);
     const auto size = static_cast<std::int64_t>(matrix.size);
@@ -87,7 +107,7 @@ std::vector<double> multiply(const DiaMatrix& matrix, std::span<const double> x)
     return y;
 }
 
-std::vector<double> multiply(const Graph& graph, std::span<const double> x) {
+[[nodiscard]] inline std::vector<double> multiply(const Graph& graph, std::span<const double> x) {
     if (x.size() != graph.num_nodes()) throw std::logic_error("multiply: the sizes do not match");
     std::vector<double> y(x.size(), 0.0);
     for (std::size_t row = 0; row < y.size(); ++row) {

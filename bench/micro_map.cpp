@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// The quadtree map beside a flat grid and a plain pointer quadtree of the same cells: time to
+// build, bytes, 10^7 random look-ups.
+//   micro_map [-o FILE.json]
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/carmen.hpp"
+#include "quadcut/base/random.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/occupancy_map.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr int kRepeats = 9;
+constexpr std::size_t kNumLookups = 10'000'000;
+
+/// One int8 a cell over a rectangle that is known beforehand.
+class FlatGrid {
+public:
+    FlatGrid(Cell low, Cell high) : cells_(low, high.x - low.x + 1, high.y - low.y + 1) {}
+
+    [[nodiscard]] int log_odds(Cell cell) const {
+        const auto x = static_cast<std::uint32_t>(cell.x - cells_.origin.x);
+        const auto y = static_cast<std::uint32_t>(cell.y - cells_.origin.y);
+        const auto width = static_cast<std::uint32_t>(cells_.width);
+        if (x >= width || y >= static_cast<std::uint32_t>(cells_.height)) {
+            return 0;
+        }
+        return cells_.values[std::size_t{y} * width + x];
+    }
+    void set(Cell cell, int log_odds) {
+        if (cells_.contains(cell)) {
+            cells_.at(cell) = static_cast<std::int8_t>(log_odds);
+        }
+    }
+    [[nodiscard]] std::size_t bytes() const { return cells_.values.capacity(); }
+
+private:
+    Raster<std::int8_t> cells_;
+};
+
+/// A node for every block, four children allocated together; blocks of one value collapse at once.
+class PointerQuadtree {
+public:
+    explicit PointerQuadtree(const Root& root) : root_(root) {}
+
+    [[nodiscard]] int log_odds(Cell cell) const {
+        const Cell at{cell.x - root_.lower_left.x, cell.y - root_.lower_left.y};
+        const std::int32_t side = root_.side_cells();
+        if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) {
+            return 0;
+        }
+        const Node* node = &top_;
+        for (int level = root_.level - 1; node->children; --level) {
+            node = &node->children[child(at, level)];
+        }
+        return node->value;
+    }
+    void set(Cell cell, int log_odds) {
+        set(top_, {cell.x - root_.lower_left.x, cell.y - root_.lower_left.y}, root_.level,
+            static_cast<std::int8_t>(log_odds));
+    }
+    /// Bytes that the nodes ask for, without what the allocator adds.
+    [[nodiscard]] std::size_t bytes() const { return sizeof(Node) * (1 + 4 * num_inner_); }
+
+private:
+    struct Node {
+        std::unique_ptr<Node[]> children;
+        std::int8_t value = 0;
+    };
+
+    static std::size_t child(Cell at, int level) {
+        return static_cast<std::size_t>((at.x >> level & 1) | (at.y >> level & 1) << 1);
+    }
+    void set(Node& node, Cell at, int level, std::int8_t value) {
+        if (level == 0) {
+            node.value = value;
+            return;
+        }
+        if (!node.children) {
+            if (node.value == value) {
+                return;
+            }
+            node.children = std::make_unique<Node[]>(4);
+            for (std::size_t i = 0; i < 4; ++i) {
+                node.children[i].value = node.value;
+            }
+            ++num_inner_;
+        }
+        set(node.children[child(at, level - 1)], at, level - 1, value);
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (node.children[i].children || node.children[i].value != value) {
+                return;
+            }
+        }
+        node.children.reset();
+        node.value = value;
+        --num_inner_;
+    }
+
+    Root root_;
+    Node top_;
+    std::size_t num_inner_ = 0;
+};
+
+double milliseconds(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    return elapsed.count();
+}
+
+template <typename Work>
+double median_of_nine(const Work& work) {
+    std::vector<double> times(kRepeats);
+    for (double& time : times) {
+        time = milliseconds(work);
+    }
+    std::nth_element(times.begin(), times.begin() + kRepeats / 2, times.end());
+    return times[kRepeats / 2];
+}
+
+struct Row {
+    std::string world;
+    std::string structure;
+    double build_ms = 0.0;
+    std::size_t bytes = 0;
+    double lookups_ms = 0.0;
+    long long checksum = 0;
+};
+
+class Bench {
+public:
+    Bench(std::string world, Cell low, Cell high) : world_(std::move(world)) {
+        Random random(1);
+        cells_.resize(kNumLookups);
+        for (Cell& cell : cells_) {
+            const auto pick = [&](std::int32_t from, std::int32_t to) {
+                return from + static_cast<std::int32_t>(
+                                  random.below(static_cast<std::uint64_t>(to - from + 1)));
+            };
+            cell = {pick(low.x, high.x), pick(low.y, high.y)};
+        }
+    }
+
+    template <typename Map>
+    void measure(const std::string& structure, double build_ms, const Map& map) {
+        Row row{world_, structure, build_ms, map.bytes(), 0.0, 0};
+        row.lookups_ms = median_of_nine([&] {
+            long long sum = 0;
+            for (const Cell& cell : cells_) {
+                sum += map.log_odds(cell);
+            }
+            row.checksum = sum;
+        });
+        rows_.push_back(row);
+    }
+
+    /// The table, with ratios to the first row.
+    void print() const {
+        for (const Row& row : rows_) {
+            const Row& flat = rows_.front();
+            std::printf("%-22s %-18s %10.1f ms %12zu bytes %6.1f %% %8.1f ms  x %.2f%s\n",
+                        row.world.c_str(), row.structure.c_str(), row.build_ms, row.bytes,
+                        100.0 * static_cast<double>(row.bytes) / static_cast<double>(flat.bytes),
+                        row.lookups_ms, row.lookups_ms / flat.lookups_ms,
+                        row.checksum == flat.checksum ? "" : "  DIFFERENT CELLS");
+        }
+    }
+    [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+private:
+    std::string world_;
+    std::vector<Cell> cells_;
+    std::vector<Row> rows_;
+};
+
+void set_box(Raster<CellState>& states, Cell low, Cell size, CellState state) {
+    for (std::int32_t y = std::max(0, low.y); y < std::min(low.y + size.y, states.height); ++y) {
+        for (std::int32_t x = std::max(0, low.x); x < std::min(low.x + size.x, states.width); ++x) {
+            states.at({x, y}) = state;
+        }
+    }
+}
+
+/// A floor of offices at 5 cm: corridors 2.4 m wide every 18 m, rooms 3 to 8 m wide on both sides,
+/// walls of 15 cm, doors of 0.9 m, some furniture; unknown around and in a fifth of the rooms.
+GridMap office_floor(std::int32_t side) {
+    GridMap grid{0.05, {}, Raster<CellState>({0, 0}, side, side)};
+    Random random(7);
+    const auto pick = [&](std::int32_t low, std::int32_t high) {
+        return low +
+               static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(high - low + 1)));
+    };
+    constexpr std::int32_t kMargin = 200;
+    constexpr std::int32_t kCorridor = 48;
+    constexpr std::int32_t kDepth = 156;
+    constexpr std::int32_t kWall = 3;
+    for (std::int32_t y = kMargin; y + kCorridor + 2 * kDepth < side - kMargin;
+         y += kCorridor + 2 * kDepth) {
+        const std::int32_t corridor = y + kDepth;
+        set_box(grid.states, {kMargin, y}, {side - 2 * kMargin, kCorridor + 2 * kDepth},
+                CellState::occupied);
+        for (const bool above : {false, true}) {
+            const std::int32_t low = above ? corridor + kCorridor + kWall : y + kWall;
+            for (std::int32_t x = kMargin + kWall; x < side - kMargin - 160;) {
+                const std::int32_t width = pick(60, 160);
+                const bool seen = pick(0, 4) != 0;
+                set_box(grid.states, {x, low}, {width, kDepth - 2 * kWall},
+                        seen ? CellState::free : CellState::unknown);
+                for (std::int32_t i = seen ? pick(0, 6) : 0; i > 0; --i) {
+                    set_box(grid.states, {x + pick(0, width - 30), low + pick(0, 120)},
+                            {pick(1, 30), pick(1, 16)}, CellState::occupied);
+                }
+                if (seen) {
+                    const std::int32_t door = above ? low - kWall : low + kDepth - 2 * kWall;
+                    set_box(grid.states, {x + pick(4, width - 24), door}, {18, kWall},
+                            CellState::free);
+                }
+                x += width + kWall;
+            }
+        }
+        set_box(grid.states, {kMargin + kWall, corridor},
+                {side - 2 * kMargin - 2 * kWall, kCorridor}, CellState::free);
+    }
+    return grid;
+}
+
+std::vector<Row> bench_raster(const std::string& name, const GridMap& grid) {
+    const Raster<CellState>& states = grid.states;
+    std::unique_ptr<OccupancyMap> map;
+    const double map_ms = median_of_nine(
+        [&] { map = std::make_unique<OccupancyMap>(OccupancyMap::from_grid(grid)); });
+    const Raster<CellState> known = map->to_raster();
+    const Cell low = known.origin;
+    const Cell high{low.x + known.width - 1, low.y + known.height - 1};
+    const auto value = [&](Cell cell) {
+        const CellState state = states.at(cell);
+        return state == CellState::unknown ? 0
+               : state == CellState::free  ? kMinLogOdds
+                                           : kMaxLogOdds;
+    };
+    const auto fill = [&](auto& structure) {
+        for (std::int32_t y = low.y; y <= high.y; ++y) {
+            for (std::int32_t x = low.x; x <= high.x; ++x) {
+                structure.set({x, y}, value({x, y}));
+            }
+        }
+    };
+    Bench bench(name, low, high);
+    std::unique_ptr<FlatGrid> flat;
+    const double flat_ms = median_of_nine([&] {
+        flat = std::make_unique<FlatGrid>(low, high);
+        fill(*flat);
+    });
+    bench.measure("flat grid", flat_ms, *flat);
+    flat.reset();
+    bench.measure("quadcut", map_ms, *map);
+    PointerQuadtree tree(map->root());
+    map.reset();
+    const double tree_ms = milliseconds([&] { fill(tree); });
+    bench.measure("pointer quadtree", tree_ms, tree);
+    bench.print();
+    return bench.rows();
+}
+
+/// The same evidence, scan by scan, into each structure.
+template <typename Structure>
+void replay(Structure& structure, const std::vector<std::vector<TileEvidence>>& scans) {
+    const IntegrateOptions options;
+    for (const std::vector<TileEvidence>& scan : scans) {
+        for (const TileEvidence& one : scan) {
+            for (int i = 0; i < 64; ++i) {
+                const bool hit = (one.hit >> i & 1) != 0;
+                if (hit || (one.miss >> i & 1) != 0) {
+                    const Cell cell{one.tile.x * 8 + i % 8, one.tile.y * 8 + i / 8};
+                    const int before = structure.log_odds(cell);
+                    const int after = bounded_sum(before, hit ? options.hit : options.miss);
+                    if (after != before) {
+                        structure.set(cell, after);
+                    }
+                }
+            }
+        }
+    }
+}
+
+std::vector<Row> bench_log(const std::string& name, const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) {
+        std::printf("%s: left out, there is no %s\n", name.c_str(), path.c_str());
+        return {};
+    }
+    const std::vector<Scan> log = io::read_carmen_log(path).scans;
+    std::vector<std::vector<TileEvidence>> scans;
+    OccupancyMap map(0.05);
+    for (const Scan& scan : log) {
+        scans.push_back(evidence_of(map, scan));
+        add_evidence(map, scans.back());
+        map.commit();
+    }
+    const double map_ms = median_of_nine([&] {
+        map = OccupancyMap(0.05);
+        for (const std::vector<TileEvidence>& scan : scans) {
+            add_evidence(map, scan);
+            map.commit();
+        }
+    });
+    const Raster<CellState> known = map.to_raster();
+    const Cell low = known.origin;
+    const Cell high{low.x + known.width - 1, low.y + known.height - 1};
+
+    Bench bench(name, low, high);
+    FlatGrid flat(low, high);
+    const double flat_ms = median_of_nine([&] {
+        flat = FlatGrid(low, high);
+        replay(flat, scans);
+    });
+    bench.measure("flat grid", flat_ms, flat);
+    bench.measure("quadcut", map_ms, map);
+    PointerQuadtree tree(map.root());
+    const double tree_ms = milliseconds([&] { replay(tree, scans); });
+    bench.measure("pointer quadtree", tree_ms, tree);
+    bench.print();
+    return bench.rows();
+}
+
+void write_json(const std::string& path, const std::vector<Row>& rows) {
+    std::ofstream file(path);
+    file << "{\"format_version\": 1, \"lookups\": " << kNumLookups << ", \"rows\": [";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        file << (i == 0 ? "\n" : ",\n") << R"(  {"world": ")" << row.world << R"(", "structure": ")"
+             << row.structure << R"(", "build_ms": )" << row.build_ms << R"(, "bytes": )"
+             << row.bytes << R"(, "lookups_ms": )" << row.lookups_ms << "}";
+    }
+    file << "\n]}\n";
+    if (!file.flush()) {
+        std::fprintf(stderr, "micro_map: cannot write %s\n", path.c_str());
+    }
+}
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) {
+    using quadcut::Row;
+    const std::filesystem::path logs = std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs";
+    std::printf("%-22s %-18s %13s %18s %8s %11s\n", "map", "structure", "build", "memory",
+                "of flat", "look-ups");
+    std::vector<Row> rows = quadcut::bench_log("intel.log", logs / "intel.log");
+    for (const Row& row : quadcut::bench_log("mit_csail.log", logs / "mit_csail.log")) {
+        rows.push_back(row);
+    }
+    for (const Row& row :
+         quadcut::bench_raster("office 10,000 x 10,000", quadcut::office_floor(10'000))) {
+        rows.push_back(row);
+    }
+    for (int i = 1; i + 1 < argc; ++i) {
+        if (std::string(argv[i]) == "-o") {
+            quadcut::write_json(argv[i + 1], rows);
+        }
+    }
+    return 0;
+}
