@@ -113,7 +113,8 @@ Graph induced_subgraph(const Graph& graph, std::span<const std::uint32_t> nodes)
     return sub;
 }
 
-std::vector<std::uint32_t> connected_components(const Graph& graph) {
+std::vector<std::uint32_t> connected_components(const Graph& graph,
+                                                std::span<const std::uint32_t> labels) {
     std::vector<std::uint32_t> component(graph.num_nodes(), kNone);
     std::vector<std::uint32_t> stack;
     std::uint32_t num_components = 0;
@@ -126,6 +127,7 @@ std::vector<std::uint32_t> connected_components(const Graph& graph) {
             stack.pop_back();
             for (const std::uint32_t next : graph.neighbours(node)) {
                 if (component[next] != kNone) continue;
+                if (!labels.empty() && labels[next] != labels[node]) continue;
                 component[next] = num_components;
                 stack.push_back(next);
             }

@@ -43,7 +43,9 @@ struct Graph {
 /// O(rows of those nodes + last node - first node). Throws std::logic_error if they are not so.
 [[nodiscard]] Graph induced_subgraph(const Graph& graph, std::span<const std::uint32_t> nodes);
 
-/// The connected component of each node, numbered from 0 by first node. O(nodes + edges).
-[[nodiscard]] std::vector<std::uint32_t> connected_components(const Graph& graph);
+/// The connected component of each node, numbered from 0 by first node. With `labels` (one a node),
+/// edges between different labels do not connect. O(nodes + edges).
+[[nodiscard]] std::vector<std::uint32_t> connected_components(
+    const Graph& graph, std::span<const std::uint32_t> labels = {});
 
 }  // namespace quadcut

@@ -20,31 +20,6 @@ EigenReport report_of(const Eigenpairs& pairs) {
     return {pairs.num_nodes, pairs.values, pairs.residuals};
 }
 
-/// Numbers the connected parts of equal clusters, by first node.
-std::vector<std::uint32_t> connected_parts(const Graph& region,
-                                           const std::vector<std::uint32_t>& clusters) {
-    constexpr auto kNone = static_cast<std::uint32_t>(-1);
-    std::vector<std::uint32_t> part(region.num_nodes(), kNone);
-    std::vector<std::uint32_t> stack;
-    std::uint32_t count = 0;
-    for (std::uint32_t seed = 0; seed < region.num_nodes(); ++seed) {
-        if (part[seed] != kNone) continue;
-        part[seed] = count;
-        stack.push_back(seed);
-        while (!stack.empty()) {
-            const std::uint32_t node = stack.back();
-            stack.pop_back();
-            for (const std::uint32_t next : region.neighbours(node)) {
-                if (part[next] != kNone || clusters[next] != clusters[node]) continue;
-                part[next] = count;
-                stack.push_back(next);
-            }
-        }
-        ++count;
-    }
-    return part;
-}
-
 /// The nodes of each part, ascending.
 std::vector<std::vector<std::uint32_t>> group_by_part(const std::vector<std::uint32_t>& part) {
     std::vector<std::vector<std::uint32_t>> groups;
@@ -84,7 +59,7 @@ Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
         choose.k_means.seed = options.seed;
         clusters = choose_num_clusters(pairs, choose, executor).clustering;
     }
-    pieces.piece_of_node = connected_parts(region, clusters.labels);
+    pieces.piece_of_node = connected_components(region, clusters.labels);
     pieces.count = 1 + *std::max_element(pieces.piece_of_node.begin(), pieces.piece_of_node.end());
     return pieces;
 }
@@ -126,7 +101,7 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& 
         const Clustering clusters =
             refine_k_means(samples, start, kRefineSteps, executor).clustering;
         const bool found_all = pairs.size() < options.max_pairs;
-        for (const auto& group : group_by_part(connected_parts(part.graph, clusters.labels))) {
+        for (const auto& group : group_by_part(connected_components(part.graph, clusters.labels))) {
             std::vector<std::uint32_t> nodes;
             nodes.reserve(group.size());
             for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);

@@ -40,7 +40,7 @@ struct CutOptions {
 
 struct OverCutOptions {
     /// A region is cut while it has more than one eigenvalue below this, 1/m^2.
-    double max_eigenvalue_per_m2 = 0.4;
+    double max_eigenvalue_per_m2 = 0.8;
     /// Eigenpairs of one solve; a region with more of them below the limit is cut recursively, so
     /// that no solve grows with the size of the map.
     std::size_t max_pairs = 24;
@@ -48,8 +48,8 @@ struct OverCutOptions {
 };
 
 /// Cuts a region finer than rooms: area-normalised Laplacian, all eigenvectors below the limit,
-/// column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.4 / m^2 gives
-/// pieces of about 30 m^2; every doorway is among the cuts, and so are many that are none.
+/// column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.8 / m^2 gives
+/// pieces of about 16 m^2; every doorway is among the cuts, and so are many that are none.
 /// Throws NumericalError if the eigensolver fails its own checks.
 [[nodiscard]] Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& clock,
                               const Executor& executor = {});

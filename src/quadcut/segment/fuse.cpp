@@ -7,6 +7,9 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <vector>
+
+#include "quadcut/segment/narrowing.hpp"
 
 namespace quadcut {
 namespace {
@@ -198,15 +201,6 @@ FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
         if (pieces.values[i] != 0)
             fused.labels.values[i] = label[regions.region_of(pieces.values[i])];
-    }
-    for (std::uint32_t region = 1; region <= num_pieces; ++region) {
-        if (label[region] == 0) continue;
-        for (const auto& [other, saddle] : regions.saddles(region)) {
-            if (label[other] < label[region]) continue;
-            const Narrowing narrowing = regions.measure(saddle);
-            fused.cuts.push_back(
-                {label[region], label[other], saddle, narrowing, door_log_odds(narrowing)});
-        }
     }
     return fused;
 }

@@ -3,28 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/narrowing.hpp"
 
 namespace quadcut {
-
-/// A cut that fusing kept.
-struct KeptCut {
-    /// Labels of the two regions in FusedRegions::labels.
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    Saddle saddle;
-    Narrowing narrowing;
-    double log_odds = 0.0;
-};
 
 struct FusedRegions {
     /// 1 .. count, 0 = none.
     Raster<std::uint32_t> labels;
     std::uint32_t count = 0;
-    std::vector<KeptCut> cuts;
 };
 
 struct FuseOptions {

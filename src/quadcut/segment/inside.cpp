@@ -6,40 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "quadcut/map/flood.hpp"
+
 namespace quadcut {
-namespace {
-
-struct Component {
-    std::vector<std::size_t> cells;
-    std::size_t num_border_cells = 0;
-};
-
-Component grow_component(const Raster<std::uint8_t>& free, std::size_t seed,
-                         std::vector<bool>& seen) {
-    const auto width = static_cast<std::size_t>(free.width);
-    const auto height = static_cast<std::size_t>(free.height);
-    Component component;
-    const auto enter = [&](std::size_t cell) {
-        if (free.values[cell] == 0 || seen[cell]) return;
-        seen[cell] = true;
-        component.cells.push_back(cell);
-    };
-    enter(seed);
-    for (std::size_t i = 0; i < component.cells.size(); ++i) {
-        const std::size_t cell = component.cells[i];
-        const std::size_t x = cell % width;
-        const std::size_t y = cell / width;
-        if (x == 0 || y == 0 || x + 1 == width || y + 1 == height) ++component.num_border_cells;
-        if (x > 0) enter(cell - 1);
-        if (x + 1 < width) enter(cell + 1);
-        if (y > 0) enter(cell - width);
-        if (y + 1 < height) enter(cell + width);
-    }
-    return component;
-}
-
-}  // namespace
-
 Raster<std::uint8_t> mask_of(const GridMap& map, CellState state) {
     Raster<std::uint8_t> mask(map.states.origin, map.states.width, map.states.height);
     std::transform(
@@ -69,23 +38,27 @@ Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajector
     std::vector<bool> is_visited(free.values.size(), false);
     for (const Cell cell : visited_cells(map, trajectory)) is_visited[free.offset(cell)] = true;
     const auto min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
-    const std::size_t border =
-        2 * static_cast<std::size_t>(free.width) + 2 * static_cast<std::size_t>(free.height);
+    const std::int64_t num_edge_cells = 2 * (std::int64_t{free.width} + free.height) - 4;
     std::vector<bool> seen(free.values.size(), false);
     std::vector<std::size_t> outside;
     bool is_empty = true;
     for (std::size_t seed = 0; seed < free.values.size(); ++seed) {
         if (free.values[seed] == 0 || seen[seed]) continue;
-        Component component = grow_component(free, seed, seen);
-        if (static_cast<double>(component.cells.size()) < min_cells) continue;
-        const bool entered = std::any_of(component.cells.begin(), component.cells.end(),
+        std::vector<std::size_t> component =
+            flood(free, seed, seen, Connectivity::four,
+                  [&](std::size_t cell) { return free.values[cell] != 0; });
+        if (static_cast<double>(component.size()) < min_cells) continue;
+        const auto num_on_edge =
+            std::count_if(component.begin(), component.end(),
+                          [&](std::size_t cell) { return is_on_edge(free, cell); });
+        const bool entered = std::any_of(component.begin(), component.end(),
                                          [&](std::size_t cell) { return is_visited[cell]; });
-        if (2 * component.num_border_cells > border - 4 && !entered) {
-            outside = std::move(component.cells);
+        if (2 * num_on_edge > num_edge_cells && !entered) {
+            outside = std::move(component);
             continue;
         }
         is_empty = false;
-        for (const std::size_t cell : component.cells) kept.values[cell] = 1;
+        for (const std::size_t cell : component) kept.values[cell] = 1;
     }
     if (is_empty) {
         for (const std::size_t cell : outside) kept.values[cell] = 1;

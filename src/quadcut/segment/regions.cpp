@@ -3,53 +3,18 @@
 #include "quadcut/segment/regions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "quadcut/map/flood.hpp"
 
 namespace quadcut {
 namespace {
 
 constexpr double kOutlineM = 0.1;
 constexpr double kMinShareOfBorder = 0.25;
-
-/// The offsets of a cell's neighbours inside the raster, 4 of them at most.
-struct Neighbours {
-    std::array<std::size_t, 4> offsets{};
-    std::size_t count = 0;
-    [[nodiscard]] const std::size_t* begin() const { return offsets.data(); }
-    [[nodiscard]] const std::size_t* end() const { return offsets.data() + count; }
-};
-
-template <typename T>
-Neighbours neighbours_of(const Raster<T>& raster, std::size_t cell) {
-    const auto width = static_cast<std::size_t>(raster.width);
-    Neighbours out;
-    const std::size_t x = cell % width;
-    if (x > 0) out.offsets[out.count++] = cell - 1;
-    if (x + 1 < width) out.offsets[out.count++] = cell + 1;
-    if (cell >= width) out.offsets[out.count++] = cell - width;
-    if (cell + width < raster.values.size()) out.offsets[out.count++] = cell + width;
-    return out;
-}
-
-/// The connected cells around `seed` for which `belongs` holds; they are marked in `seen`.
-template <typename T, typename Predicate>
-std::vector<std::size_t> grow(const Raster<T>& raster, std::size_t seed, std::vector<bool>& seen,
-                              const Predicate& belongs) {
-    std::vector<std::size_t> cells{seed};
-    seen[seed] = true;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        for (const std::size_t next : neighbours_of(raster, cells[i])) {
-            if (seen[next] || !belongs(next)) continue;
-            seen[next] = true;
-            cells.push_back(next);
-        }
-    }
-    return cells;
-}
 
 template <typename Key>
 std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
@@ -72,8 +37,8 @@ std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
         const std::uint32_t label = labels.values[seed];
         if (label == 0 || seen[seed]) continue;
-        Part part{label, grow(labels, seed, seen,
-                              [&](std::size_t cell) { return labels.values[cell] == label; })};
+        Part part{label, flood(labels, seed, seen, Connectivity::four,
+                               [&](std::size_t cell) { return labels.values[cell] == label; })};
         Part& best = largest[label];
         if (part.cells.size() > best.cells.size()) std::swap(part, best);
         if (!part.cells.empty()) detached.push_back(std::move(part));
@@ -96,7 +61,7 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
     OutlineWalk walk;
     std::vector<std::size_t> front;
     for (const std::size_t cell : pocket) {
-        for (const std::size_t next : neighbours_of(labels, cell)) {
+        for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
             if (free.values[next] != 0 || labels.values[next] != 0) continue;
             if (walk.reached_from.emplace(next, cell).second) front.push_back(next);
         }
@@ -105,7 +70,7 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
     for (std::size_t step = 0; step < max_steps; ++step) {
         std::vector<std::size_t> next_front;
         for (const std::size_t cell : front) {
-            for (const std::size_t next : neighbours_of(labels, cell)) {
+            for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
                 if (labels.values[next] != 0) {
                     ++walk.ways[labels.values[next]];
                     walk.arrivals.emplace_back(labels.values[next], cell);
@@ -125,7 +90,7 @@ void connect_regions(Raster<std::uint32_t>& labels) {
     for (const Part& part : detached_parts(labels)) {
         std::map<std::uint32_t, std::size_t> contacts;
         for (const std::size_t cell : part.cells) {
-            for (const std::size_t next : neighbours_of(labels, cell)) {
+            for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
                 const std::uint32_t other = labels.values[next];
                 if (other != 0 && other != part.label) ++contacts[other];
             }
@@ -143,9 +108,9 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
     std::vector<bool> seen(labels.values.size(), false);
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
         if (free.values[seed] == 0 || labels.values[seed] != 0 || seen[seed]) continue;
-        const std::vector<std::size_t> pocket = grow(labels, seed, seen, [&](std::size_t cell) {
-            return free.values[cell] != 0 && labels.values[cell] == 0;
-        });
+        const std::vector<std::size_t> pocket = flood(
+            labels, seed, seen, Connectivity::four,
+            [&](std::size_t cell) { return free.values[cell] != 0 && labels.values[cell] == 0; });
         if (pocket.size() > max_cells) continue;
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
         const std::uint32_t room = most_frequent(walk.ways);
