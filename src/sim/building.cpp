@@ -23,23 +23,40 @@ constexpr double kMargin = 1.0;
 
 const char* name_of(RoomUse use) {
     switch (use) {
-        case RoomUse::corridor: return "Corridor";
-        case RoomUse::aisle: return "Aisle";
-        case RoomUse::hall: return "Hall";
-        case RoomUse::office: return "Office";
-        case RoomUse::open_office: return "Open office";
-        case RoomUse::meeting: return "Meeting room";
-        case RoomUse::laboratory: return "Laboratory";
-        case RoomUse::classroom: return "Classroom";
-        case RoomUse::cubicle: return "Cubicle";
-        case RoomUse::washroom: return "Washroom";
-        case RoomUse::toilet: return "Toilet";
-        case RoomUse::storage: return "Storage";
-        case RoomUse::kitchen: return "Kitchen";
-        case RoomUse::lounge: return "Lounge";
-        case RoomUse::bedroom: return "Bedroom";
-        case RoomUse::ward: return "Ward";
-        case RoomUse::bathroom: return "Bathroom";
+        case RoomUse::corridor:
+            return "Corridor";
+        case RoomUse::aisle:
+            return "Aisle";
+        case RoomUse::hall:
+            return "Hall";
+        case RoomUse::office:
+            return "Office";
+        case RoomUse::open_office:
+            return "Open office";
+        case RoomUse::meeting:
+            return "Meeting room";
+        case RoomUse::laboratory:
+            return "Laboratory";
+        case RoomUse::classroom:
+            return "Classroom";
+        case RoomUse::cubicle:
+            return "Cubicle";
+        case RoomUse::washroom:
+            return "Washroom";
+        case RoomUse::toilet:
+            return "Toilet";
+        case RoomUse::storage:
+            return "Storage";
+        case RoomUse::kitchen:
+            return "Kitchen";
+        case RoomUse::lounge:
+            return "Lounge";
+        case RoomUse::bedroom:
+            return "Bedroom";
+        case RoomUse::ward:
+            return "Ward";
+        case RoomUse::bathroom:
+            return "Bathroom";
     }
     return "Room";
 }
@@ -47,9 +64,12 @@ const char* name_of(RoomUse use) {
 RoomKind kind_of(RoomUse use) {
     switch (use) {
         case RoomUse::corridor:
-        case RoomUse::aisle: return RoomKind::corridor;
-        case RoomUse::hall: return RoomKind::hall;
-        default: return RoomKind::room;
+        case RoomUse::aisle:
+            return RoomKind::corridor;
+        case RoomUse::hall:
+            return RoomKind::hall;
+        default:
+            return RoomKind::room;
     }
 }
 
@@ -81,8 +101,8 @@ private:
     template <typename Value>
     static void fill(Raster<Value>& raster, const std::vector<Span>& spans, Value value) {
         for (const Span& span : spans) {
-            const auto first = raster.values.begin() +
-                               static_cast<std::ptrdiff_t>(raster.offset(span.first));
+            const auto first =
+                raster.values.begin() + static_cast<std::ptrdiff_t>(raster.offset(span.first));
             std::fill(first, first + span.count, value);
         }
     }
@@ -177,8 +197,8 @@ void Draughtsman::drop_islets() {
         seen[start] = 1;
         for (std::size_t i = 0; i < part.size(); ++i) {
             // The margin keeps all neighbours inside the raster.
-            for (const std::size_t next : {part[i] - 1, part[i] + 1, part[i] - width,
-                                           part[i] + width}) {
+            for (const std::size_t next :
+                 {part[i] - 1, part[i] + 1, part[i] - width, part[i] + width}) {
                 if (seen[next] != 0 || labels.values[next] != label) continue;
                 seen[next] = 1;
                 part.push_back(next);
@@ -193,9 +213,9 @@ void Draughtsman::drop_islets() {
 // A large box shows its outline: nobody sees what is inside.
 void Draughtsman::draw_obstacle(const Obstacle& obstacle) {
     Raster<CellState>& states = building_.map.states;
-    const std::vector<Span> spans =
-        obstacle.box.empty() ? rasterise_disc(obstacle.center, obstacle.radius_m, grid_)
-                             : rasterise(obstacle.box, grid_);
+    const std::vector<Span> spans = obstacle.box.empty()
+                                        ? rasterise_disc(obstacle.center, obstacle.radius_m, grid_)
+                                        : rasterise(obstacle.box, grid_);
     fill(states, spans, CellState::occupied);
     fill(building_.labels, spans, std::uint16_t{0});
     constexpr double kSkin = 0.1;
@@ -226,16 +246,13 @@ void Draughtsman::describe() {
     for (std::size_t i = 0; i < plan_.rooms.size(); ++i) {
         const PlanRoom& room = plan_.rooms[i];
         const std::string name = name_of(room.use);
-        building_.rooms.push_back({static_cast<RoomId>(i + 1),
-                                   name + " " + std::to_string(++count_of[name]),
-                                   kind_of(room.use),
-                                   static_cast<double>(num_cells[i + 1]) * cell_area,
-                                   floor_of(room)});
+        building_.rooms.push_back(
+            {static_cast<RoomId>(i + 1), name + " " + std::to_string(++count_of[name]),
+             kind_of(room.use), static_cast<double>(num_cells[i + 1]) * cell_area, floor_of(room)});
     }
     for (const PlanDoor& door : plan_.doors) {
         const double y = door.opening.center().y;
-        building_.doors.push_back({static_cast<RoomId>(door.a + 1),
-                                   static_cast<RoomId>(door.b + 1),
+        building_.doors.push_back({static_cast<RoomId>(door.a + 1), static_cast<RoomId>(door.b + 1),
                                    door.frame.map({door.opening.x0, y}),
                                    door.frame.map({door.opening.x1, y}), door.opening.width(),
                                    door.is_open_passage});

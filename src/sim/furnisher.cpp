@@ -26,10 +26,14 @@ Wall wall_of(const FloorPart& part, int side) {
     const Point minus_u{-f.u.x, -f.u.y};
     const Point minus_v{-f.v.x, -f.v.y};
     switch (side) {
-        case 0: return {{f.map({r.x0, r.y0}), f.u, f.v}, r.width()};
-        case 1: return {{f.map({r.x0, r.y1}), f.u, minus_v}, r.width()};
-        case 2: return {{f.map({r.x0, r.y0}), f.v, f.u}, r.height()};
-        default: return {{f.map({r.x1, r.y0}), f.v, minus_u}, r.height()};
+        case 0:
+            return {{f.map({r.x0, r.y0}), f.u, f.v}, r.width()};
+        case 1:
+            return {{f.map({r.x0, r.y1}), f.u, minus_v}, r.width()};
+        case 2:
+            return {{f.map({r.x0, r.y0}), f.v, f.u}, r.height()};
+        default:
+            return {{f.map({r.x1, r.y0}), f.v, minus_u}, r.height()};
     }
 }
 
@@ -59,10 +63,9 @@ Furnisher::Furnisher(const Plan& plan, std::size_t room, const Raster<std::uint1
 }
 
 const FloorPart& Furnisher::main_part() const {
-    return *std::max_element(room().parts.begin(), room().parts.end(),
-                             [](const FloorPart& a, const FloorPart& b) {
-                                 return a.rect.area() < b.rect.area();
-                             });
+    return *std::max_element(
+        room().parts.begin(), room().parts.end(),
+        [](const FloorPart& a, const FloorPart& b) { return a.rect.area() < b.rect.area(); });
 }
 
 bool Furnisher::is_floor(const Point& p) const {
@@ -109,17 +112,27 @@ bool Furnisher::add_leaf(const PlanDoor& door, bool hinge_left, double width, do
     const double y = face_of(door, room_);
     const Point d{along * std::cos(angle), into * std::sin(angle)};
     // The leaf swings clear of the opening: its thickness lies on the far side.
-    const Point n{-along * std::sin(angle) * kLeafThickness, into * std::cos(angle) * kLeafThickness};
-    const Polygon leaf{
-        door.frame.map({x, y}), door.frame.map({x + width * d.x, y + width * d.y}),
-        door.frame.map({x + width * d.x + n.x, y + width * d.y + n.y}),
-        door.frame.map({x + n.x, y + n.y})};
+    const Point n{-along * std::sin(angle) * kLeafThickness,
+                  into * std::cos(angle) * kLeafThickness};
+    const Polygon leaf{door.frame.map({x, y}), door.frame.map({x + width * d.x, y + width * d.y}),
+                       door.frame.map({x + width * d.x + n.x, y + width * d.y + n.y}),
+                       door.frame.map({x + n.x, y + n.y})};
     for (const double t : {0.3, 0.6, 1.0}) {
         const Point p{x + t * width * d.x + 0.5 * n.x, y + t * width * d.y + 0.5 * n.y};
         if (!is_floor(door.frame.map(p))) return false;
     }
     for (const Polygon& clear : kept_clear_) {
         if (overlap(leaf, clear)) return false;
+    }
+    for (const Obstacle& other : leaves_) {
+        if (overlap(leaf, other.box)) return false;
+    }
+    for (const PlanDoor& other : doors_) {
+        if (&other == &door) continue;
+        if (overlap(leaf, strip_before(other, room_, 0.0, 0.7)) ||
+            overlap(leaf, to_polygon(other.frame, other.opening))) {
+            return false;
+        }
     }
     leaves_.push_back({leaf, {}, 0.0});
     return true;
@@ -232,28 +245,34 @@ void Furnisher::clear_ways() {
     Rect window{1e9, 1e9, -1e9, -1e9};
     for (const FloorPart& part : room().parts) {
         for (const Point& p : to_polygon(part.frame, part.rect)) {
-            window = {std::min(window.x0, p.x), std::min(window.y0, p.y),
-                      std::max(window.x1, p.x), std::max(window.y1, p.y)};
+            window = {std::min(window.x0, p.x), std::min(window.y0, p.y), std::max(window.x1, p.x),
+                      std::max(window.y1, p.y)};
         }
     }
     std::vector<Point> starts;
     for (const PlanDoor& door : doors_) {
         const double x = door.opening.center().x;
-        starts.push_back(
-            door.frame.map({x, face_of(door, room_) + inwards(door, room_) * 0.32}));
+        starts.push_back(door.frame.map({x, face_of(door, room_) + inwards(door, room_) * 0.03}));
     }
-    const Passage passage(labels_, grid_, static_cast<std::uint16_t>(room_ + 1),
-                          grow(window, 0.5), starts);
-    while (!placed_.empty()) {
+    const Passage passage(labels_, grid_, static_cast<std::uint16_t>(room_ + 1), grow(window, 0.5),
+                          starts);
+    const auto is_open = [&](const std::vector<Placed>& placed) {
         std::vector<Obstacle> obstacles = leaves_;
         std::vector<Polygon> footprints;
-        for (const Placed& placed : placed_) {
-            obstacles.insert(obstacles.end(), placed.obstacles.begin(), placed.obstacles.end());
-            footprints.push_back(placed.footprint);
+        for (const Placed& one : placed) {
+            obstacles.insert(obstacles.end(), one.obstacles.begin(), one.obstacles.end());
+            footprints.push_back(one.footprint);
         }
-        if (passage.is_open(obstacles, footprints)) return;
-        placed_.pop_back();
+        return passage.is_open(obstacles, footprints);
+    };
+    if (is_open(placed_)) return;
+    std::vector<Placed> kept;
+    if (!is_open(kept)) leaves_.clear();
+    for (Placed& placed : placed_) {
+        kept.push_back(std::move(placed));
+        if (!is_open(kept)) kept.pop_back();
     }
+    placed_ = std::move(kept);
 }
 
 std::vector<Obstacle> Furnisher::thinned(double density) const {

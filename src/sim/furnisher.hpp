@@ -31,7 +31,7 @@ public:
     /// In the room at `middle` (part coordinates), turned by `quarters` right angles and a little.
     bool add_free(const Piece& piece, const FloorPart& part, const Point& middle, int quarters,
                   double jitter_rad);
-    /// Removes the pieces placed last until a robot gets everywhere.
+    /// Removes what keeps a robot from getting everywhere.
     void clear_ways();
     /// What is left at a density.
     [[nodiscard]] std::vector<Obstacle> thinned(double density) const;

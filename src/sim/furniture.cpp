@@ -15,7 +15,9 @@ namespace {
 class Decorator {
 public:
     Decorator(Furnisher& furnisher, Random& random)
-        : furnisher_(furnisher), random_(random), make_(draw_make(random)),
+        : furnisher_(furnisher),
+          random_(random),
+          make_(draw_make(random)),
           part_(furnisher.main_part()) {
         for (const FloorPart& part : furnisher.room().parts) area_ += part.rect.area();
     }
@@ -211,9 +213,7 @@ void Decorator::laboratory() {
 
 void Decorator::classroom() {
     const bool along_x = part_.rect.width() < part_.rect.height();
-    rows(1.95, 1.75, 0.55, along_x, [&] {
-        return desk_piece(make_, 1.3, 0.55, random_);
-    });
+    rows(1.95, 1.75, 0.55, along_x, [&] { return desk_piece(make_, 1.3, 0.55, random_); });
     cupboards(2);
     shelves(2);
     small_things(2);
@@ -271,9 +271,15 @@ void Decorator::bathroom() {
 void Decorator::decorate() {
     switch (furnisher_.room().use) {
         case RoomUse::corridor:
-        case RoomUse::aisle: corridor(); break;
-        case RoomUse::hall: hall(); break;
-        case RoomUse::office: office(); break;
+        case RoomUse::aisle:
+            corridor();
+            break;
+        case RoomUse::hall:
+            hall();
+            break;
+        case RoomUse::office:
+            office();
+            break;
         case RoomUse::open_office:
             open_plan();
             cupboards(3);
@@ -284,12 +290,15 @@ void Decorator::decorate() {
             cupboards(1);
             small_things(2);
             break;
-        case RoomUse::laboratory: laboratory(); break;
-        case RoomUse::classroom: classroom(); break;
+        case RoomUse::laboratory:
+            laboratory();
+            break;
+        case RoomUse::classroom:
+            classroom();
+            break;
         case RoomUse::cubicle:
-            furnisher_.add_opposite_door(
-                desk_piece(make_, std::min(part_.rect.width(), part_.rect.height()) - 0.5, 0.7,
-                           random_));
+            furnisher_.add_opposite_door(desk_piece(
+                make_, std::min(part_.rect.width(), part_.rect.height()) - 0.5, 0.7, random_));
             small_things(2);
             break;
         case RoomUse::washroom:
@@ -303,11 +312,21 @@ void Decorator::decorate() {
             shelves(4);
             small_things(4);
             break;
-        case RoomUse::kitchen: kitchen(); break;
-        case RoomUse::lounge: lounge(); break;
-        case RoomUse::bedroom: bedroom(); break;
-        case RoomUse::ward: ward(); break;
-        case RoomUse::bathroom: bathroom(); break;
+        case RoomUse::kitchen:
+            kitchen();
+            break;
+        case RoomUse::lounge:
+            lounge();
+            break;
+        case RoomUse::bedroom:
+            bedroom();
+            break;
+        case RoomUse::ward:
+            ward();
+            break;
+        case RoomUse::bathroom:
+            bathroom();
+            break;
     }
 }
 

@@ -26,8 +26,7 @@ struct Obstacle {
 /// of the room that it could reach without furniture, save pockets under and between pieces.
 /// `labels` (of the bare building) and `grid` say where the room's floor is.
 [[nodiscard]] std::vector<Obstacle> furnish(const Plan& plan, std::size_t room, double density,
-                                            double open_leaves,
-                                            const Raster<std::uint16_t>& labels,
+                                            double open_leaves, const Raster<std::uint16_t>& labels,
                                             const CellGrid& grid, Random random);
 
 }  // namespace quadcut::sim

@@ -46,7 +46,8 @@ struct Axis {
     std::int32_t cell;
 
     Axis(double from, double along)
-        : origin(from), direction(along),
+        : origin(from),
+          direction(along),
           inverse(along != 0.0 ? 1.0 / along : std::numeric_limits<double>::infinity()),
           cell(floor_of(from)) {}
 
@@ -69,7 +70,8 @@ int LaserOptions::num_beams() const {
 }
 
 RayCaster::RayCaster(const GridMap& world)
-    : resolution_m_(world.resolution_m), image_from_map_(inverse(world.map_from_image)),
+    : resolution_m_(world.resolution_m),
+      image_from_map_(inverse(world.map_from_image)),
       reach_(world.states.origin, world.states.width, world.states.height, 255) {
     for (std::size_t i = 0; i < reach_.values.size(); ++i) {
         if (world.states.values[i] == CellState::occupied) reach_.values[i] = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/column.hpp"
 #include "sim/skeleton.hpp"
 #include "sim/unit.hpp"
 
@@ -74,8 +75,8 @@ std::optional<Polygon> wedge_of(const Joint& joint) {
 
 class LayoutBuilder {
 public:
-    explicit LayoutBuilder(const LayoutOptions& options)
-        : options_(options), random_(Random(options.seed).fork(1)) {}
+    LayoutBuilder(const LayoutOptions& options, Random random)
+        : options_(options), random_(random) {}
 
     Layout build();
 
@@ -83,8 +84,7 @@ private:
     [[nodiscard]] WingStyle draw_style(double corridor_m);
     [[nodiscard]] bool is_free(const std::vector<Polygon>& footprint) const;
     [[nodiscard]] double extent_with(const std::vector<Polygon>& footprint) const;
-    std::optional<Candidate> draw_candidate(const Skeleton& skeleton, bool is_turned,
-                                            int attempt);
+    std::optional<Candidate> draw_candidate(const Skeleton& skeleton, bool is_turned, int attempt);
     void add_first_wing(double frontage);
     bool add_wing(double frontage);
     void build_joint(const Candidate& candidate, std::size_t corridor);
@@ -152,8 +152,7 @@ std::optional<Candidate> LayoutBuilder::draw_candidate(const Skeleton& skeleton,
     const double angle = random_.uniform(15.0, 40.0) * M_PI / 180.0;
     const double turn = !is_turned ? 0.0 : random_.uniform() < 0.5 ? angle : -angle;
     // Far enough that the rows on the inner side of the bend do not meet; farther when crowded.
-    const double least =
-        0.4 + (is_turned ? kReach * std::tan(0.5 * std::abs(turn)) : 0.0);
+    const double least = 0.4 + (is_turned ? kReach * std::tan(0.5 * std::abs(turn)) : 0.0);
     const double slack = random_.uniform(0.0, 1.5 + 0.15 * attempt);
     candidate.joint = draw_joint(open, turn, least + 0.5 * slack, least + 0.5 * slack);
     candidate.has_fire_door = random_.uniform() < 0.55;
@@ -185,9 +184,8 @@ std::optional<Candidate> LayoutBuilder::draw_candidate(const Skeleton& skeleton,
     return candidate;
 }
 
-void LayoutBuilder::build_wing(const Skeleton& skeleton, const WingStyle& style,
-                               const Frame& frame, std::optional<std::size_t> entry,
-                               std::size_t entry_room) {
+void LayoutBuilder::build_wing(const Skeleton& skeleton, const WingStyle& style, const Frame& frame,
+                               std::optional<std::size_t> entry, std::size_t entry_room) {
     Plan& plan = layout_.plan;
     std::vector<std::optional<std::size_t>> room_of(skeleton.num_corridors);
     if (entry) room_of[skeleton.ports[*entry].corridor] = entry_room;
@@ -200,8 +198,8 @@ void LayoutBuilder::build_wing(const Skeleton& skeleton, const WingStyle& style,
         }
     }
     for (const auto& door : skeleton.fire_doors) {
-        plan.doors.push_back({*room_of[door.a], *room_of[door.b], compose(frame, door.frame),
-                              door.opening, false});
+        plan.doors.push_back(
+            {*room_of[door.a], *room_of[door.b], compose(frame, door.frame), door.opening, false});
     }
     for (Strip strip : skeleton.strips) {
         strip.frame = compose(frame, strip.frame);
@@ -243,8 +241,7 @@ void LayoutBuilder::build_joint(const Candidate& candidate, std::size_t corridor
     if (!candidate.has_fire_door) return;
     const double width = std::min(joint.corridor_m - 0.3, random_.uniform(0.9, 1.6));
     const Rect opening{-0.5 * width, joint.after_m - wall, 0.5 * width, joint.after_m};
-    layout_.plan.doors.push_back(
-        {corridor, layout_.plan.rooms.size(), joint.bend, opening, false});
+    layout_.plan.doors.push_back({corridor, layout_.plan.rooms.size(), joint.bend, opening, false});
 }
 
 bool LayoutBuilder::add_wing(double frontage) {
@@ -314,7 +311,8 @@ Layout LayoutBuilder::build() {
                     : choice < 0.64       ? Trade::office
                     : choice < 0.82       ? Trade::clinic
                                           : Trade::school;
-    const int wing_size = static_cast<int>(random_.uniform(11.0, 16.0 + 0.15 * options_.num_rooms));
+    const int wing_size = static_cast<int>(
+        random_.uniform(11.0 + 0.06 * options_.num_rooms, 16.0 + 0.15 * options_.num_rooms));
     const auto remaining = [&] {
         return options_.num_rooms - static_cast<int>(layout_.plan.rooms.size());
     };
@@ -335,6 +333,21 @@ Layout LayoutBuilder::build() {
 
 }  // namespace
 
-Layout draw_layout(const LayoutOptions& options) { return LayoutBuilder(options).build(); }
+Layout draw_layout(const LayoutOptions& options) {
+    // A draw may come out too large, or run into itself: the first one near the wish is taken.
+    constexpr std::uint64_t kTries = 12;
+    const Random random = Random(options.seed).fork(1);
+    Layout best;
+    int best_error = std::numeric_limits<int>::max();
+    for (std::uint64_t i = 0; i < kTries && best_error > options.num_rooms / 10; ++i) {
+        Layout layout = LayoutBuilder(options, random.fork(i)).build();
+        const int error = std::abs(static_cast<int>(layout.plan.rooms.size()) - options.num_rooms);
+        if (error >= best_error) continue;
+        best_error = error;
+        best = std::move(layout);
+    }
+    add_columns(best.plan, random.fork(kTries));
+    return best;
+}
 
 }  // namespace quadcut::sim

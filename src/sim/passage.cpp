@@ -21,8 +21,8 @@ void flood(Raster<std::uint8_t>& raster, const Cell& start) {
     while (!queue.empty()) {
         const Cell c = queue.back();
         queue.pop_back();
-        for (const Cell& next : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1},
-                                 Cell{c.x, c.y - 1}}) {
+        for (const Cell& next :
+             {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
             if (!raster.contains(next)) continue;
             std::uint8_t& value = raster.at(next);
             if (value != kOpen && value != kUnderFurniture) continue;
@@ -53,7 +53,9 @@ Passage::Passage(const Raster<std::uint16_t>& labels, const CellGrid& grid, std:
     const std::int32_t width = high.x - low.x + 1;
     const std::int32_t height = high.y - low.y + 1;
     grid_ = {{grid.origin.x + low.x * grid.resolution_m, grid.origin.y + low.y * grid.resolution_m},
-             grid.resolution_m, width, height};
+             grid.resolution_m,
+             width,
+             height};
     Raster<std::uint8_t> floor({0, 0}, width, height);
     open_ = floor;
     for (std::int32_t y = 0; y < height; ++y) {
@@ -80,9 +82,8 @@ bool Passage::is_open(const std::vector<Obstacle>& obstacles,
     const double reach = kRobotRadius + 0.5 * grid_.resolution_m;
     for (const Obstacle& obstacle : obstacles) {
         const std::vector<Span> spans =
-            obstacle.box.empty()
-                ? rasterise_disc(obstacle.center, obstacle.radius_m + reach, grid_)
-                : rasterise(grow(obstacle.box, reach), grid_);
+            obstacle.box.empty() ? rasterise_disc(obstacle.center, obstacle.radius_m + reach, grid_)
+                                 : rasterise(grow(obstacle.box, reach), grid_);
         paint(state, spans, kBlocked);
     }
     if (!starts_.empty() && num_open_ > 0) {

@@ -18,12 +18,16 @@ void add_chair(Piece& piece, const Make& make, const Point& p, Random& random) {
         }
     };
     switch (make.chair) {
-        case Make::Chair::four_legs: around(4, 0.28, 0.25 * M_PI); break;
+        case Make::Chair::four_legs:
+            around(4, 0.28, 0.25 * M_PI);
+            break;
         case Make::Chair::star:
             piece.posts.push_back({p, 0.04});
             around(5, 0.27, 0.0);
             break;
-        case Make::Chair::post: piece.posts.push_back({p, 0.06}); break;
+        case Make::Chair::post:
+            piece.posts.push_back({p, 0.06});
+            break;
     }
 }
 
@@ -41,10 +45,9 @@ void add_desk(Piece& piece, const Make& make, const Rect& top, bool drawers_left
     piece.boxes.push_back({top.x1 - 0.05, top.y0 + 0.03, top.x1, top.y1 - 0.05});
     if (make.desk == Make::Desk::panels_and_drawers) {
         const double depth = std::min(0.6, top.height() - 0.1);
-        piece.boxes.push_back(drawers_left
-                                  ? Rect{top.x0, top.y0 + 0.05, top.x0 + 0.42, top.y0 + 0.05 + depth}
-                                  : Rect{top.x1 - 0.42, top.y0 + 0.05, top.x1,
-                                         top.y0 + 0.05 + depth});
+        piece.boxes.push_back(
+            drawers_left ? Rect{top.x0, top.y0 + 0.05, top.x0 + 0.42, top.y0 + 0.05 + depth}
+                         : Rect{top.x1 - 0.42, top.y0 + 0.05, top.x1, top.y0 + 0.05 + depth});
     }
 }
 

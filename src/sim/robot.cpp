@@ -53,10 +53,14 @@ private:
 class Explorer::Drive {
 public:
     Drive(const GridMap& world, const Pose& start, const RobotOptions& options)
-        : options_(options), caster_(world), routes_(world, options.radius_m),
-          noise_(options, Random(options.seed).fork(1)), laser_random_(Random(options.seed).fork(2)),
+        : options_(options),
+          caster_(world),
+          routes_(world, options.radius_m),
+          noise_(options, Random(options.seed).fork(1)),
+          laser_random_(Random(options.seed).fork(2)),
           resolution_m_(world.resolution_m),
-          origin_{world.map_from_image.x, world.map_from_image.y}, pose_(start),
+          origin_{world.map_from_image.x, world.map_from_image.y},
+          pose_(start),
           states_(world.states),
           seen_(world.states.origin, world.states.width, world.states.height) {
         if (!routes_.fits({start.x, start.y})) {
@@ -129,8 +133,8 @@ void Explorer::Drive::mark_around(const Point& p, double radius) {
 // All around: what lies behind the robot is seen when it comes or goes.
 void Explorer::Drive::mark_seen() {
     // Rays a cell apart at the survey range.
-    const auto num_rays = static_cast<int>(
-        std::ceil(2.0 * M_PI * options_.survey_range_m / resolution_m_));
+    const auto num_rays =
+        static_cast<int>(std::ceil(2.0 * M_PI * options_.survey_range_m / resolution_m_));
     const double x = (pose_.x - origin_.x) / resolution_m_;
     const double y = (pose_.y - origin_.y) / resolution_m_;
     for (int i = 0; i < num_rays; ++i) {
@@ -152,7 +156,9 @@ void Explorer::Drive::mark_seen() {
 bool Explorer::Drive::plan() {
     next_point_ = 0;
     if (!only_corners_left_) {
-        way_ = routes_.find(pose_, [&](const Point& p) { return is_unseen_floor(p) && unseen_around(p) >= kLeastPlace; });
+        way_ = routes_.find(pose_, [&](const Point& p) {
+            return is_unseen_floor(p) && unseen_around(p) >= kLeastPlace;
+        });
         if (!way_.empty()) return true;
         only_corners_left_ = true;
     }

@@ -32,7 +32,8 @@ Raster<float> clearance_of(const GridMap& world) {
 }  // namespace
 
 RouteFinder::RouteFinder(const GridMap& world, double radius_m)
-    : radius_m_(radius_m), resolution_m_(world.resolution_m),
+    : radius_m_(radius_m),
+      resolution_m_(world.resolution_m),
       origin_{world.map_from_image.x + world.states.origin.x * world.resolution_m,
               world.map_from_image.y + world.states.origin.y * world.resolution_m},
       clearance_(clearance_of(world)) {

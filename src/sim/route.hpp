@@ -18,9 +18,9 @@ public:
     RouteFinder(const GridMap& world, double radius_m);
 
     /// The way from `start` to the nearest place for which `is_goal` holds, where nearness counts
-    /// way close to obstacles up to threefold, and setting out in another direction than the start's
-    /// 0.6 m a radian. Empty when there is none. The first point is near the start,
-    /// and the straight lines between the points keep the radius clear.
+    /// way close to obstacles up to threefold, and setting out in another direction than the
+    /// start's 0.6 m a radian. Empty when there is none. The first point is near the start, and the
+    /// straight lines between the points keep the radius clear.
     [[nodiscard]] std::vector<Point> find(const Pose& start,
                                           const std::function<bool(const Point&)>& is_goal);
 

@@ -70,8 +70,7 @@ std::int32_t first_center(double coordinate, double origin, double resolution) {
 
 void add_span(std::vector<Span>& spans, const CellGrid& grid, const Interval& x, std::int32_t row) {
     if (x.low > x.high) return;
-    const std::int32_t first =
-        std::max(0, first_center(x.low, grid.origin.x, grid.resolution_m));
+    const std::int32_t first = std::max(0, first_center(x.low, grid.origin.x, grid.resolution_m));
     const std::int32_t end =
         std::min(grid.width, first_center(x.high, grid.origin.x, grid.resolution_m));
     if (first < end) spans.push_back({{first, row}, end - first});

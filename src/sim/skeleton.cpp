@@ -41,10 +41,14 @@ private:
 
 Frame facing(Side side, const Point& origin) {
     switch (side) {
-        case Side::north: return {origin, {1, 0}, {0, 1}};
-        case Side::south: return {origin, {1, 0}, {0, -1}};
-        case Side::east: return {origin, {0, 1}, {1, 0}};
-        case Side::west: return {origin, {0, 1}, {-1, 0}};
+        case Side::north:
+            return {origin, {1, 0}, {0, 1}};
+        case Side::south:
+            return {origin, {1, 0}, {0, -1}};
+        case Side::east:
+            return {origin, {0, 1}, {1, 0}};
+        case Side::west:
+            return {origin, {0, 1}, {-1, 0}};
     }
     return {};
 }
@@ -64,8 +68,7 @@ void SkeletonBuilder::add_strip(const Rect& area, Side side, double front_begin,
     Point origin{area.x0, area.y0};
     if (side == Side::south) origin.y = area.y1;
     if (side == Side::west) origin.x = area.x1;
-    skeleton_.strips.push_back({facing(side, origin), length,
-                                level ? area.height() : area.width(),
+    skeleton_.strips.push_back({facing(side, origin), length, level ? area.height() : area.width(),
                                 std::max(0.0, front_begin - start),
                                 std::min(length, front_end - start), corridor});
     skeleton_.footprint.push_back(grow(area, style_.outer_wall_m));
@@ -122,8 +125,7 @@ Skeleton SkeletonBuilder::court(double frontage) {
               a - w());
     const double inner_begin = w() + 2 * t() + inner();
     add_strip({w() + t(), inner_begin, w() + t() + inner(), b}, Side::east, inner_begin, b);
-    add_strip({a - w() - t() - inner(), inner_begin, a - w() - t(), b}, Side::west, inner_begin,
-              b);
+    add_strip({a - w() - t() - inner(), inner_begin, a - w() - t(), b}, Side::west, inner_begin, b);
     add_port({0.5 * w(), b}, Side::north);
     add_port({a - 0.5 * w(), b}, Side::north);
     return skeleton_;
@@ -155,7 +157,7 @@ void SkeletonBuilder::fill_core(const Rect& core) {
 
 // A corridor around a core, rooms outside and inside; it is reached through the outer row.
 Skeleton SkeletonBuilder::ring(double frontage) {
-    const double rows = frontage > 130.0 ? 2.0 + random_.uniform(0.0, 1.0) * 1.2
+    const double rows = frontage > 130.0  ? 2.0 + random_.uniform(0.0, 1.0) * 1.2
                         : frontage > 80.0 ? 2.0
                                           : 1.0;
     double core_height = rows * inner() + (rows > 1.0 ? style_.partition_m : 0.0);
@@ -168,8 +170,8 @@ Skeleton SkeletonBuilder::ring(double frontage) {
     add_corridor({0, w(), w(), b - w()});
     add_corridor({a - w(), w(), a, b - w()});
     fill_core({w() + t(), w() + t(), a - w() - t(), b - w() - t()});
-    add_strip({-t() - outer(), b + t(), a + t() + outer(), b + t() + outer()}, Side::north,
-              0, a + t() + outer());
+    add_strip({-t() - outer(), b + t(), a + t() + outer(), b + t() + outer()}, Side::north, 0,
+              a + t() + outer());
     add_strip({-t() - outer(), -t() - outer(), a + t() + outer(), -t()}, Side::south,
               -t() - outer(), a);
     // Two ways out: the lower corridor goes on to the west, the upper one to the east.
@@ -213,11 +215,10 @@ Skeleton SkeletonBuilder::comb(double frontage) {
     const double pitch = pitch_min + (random_.uniform() < 0.3 ? 0.0 : random_.uniform(3.0, 7.0));
     // One branch of length l adds 2 l of frontage, and its share of the spine 2 pitch - w.
     const double length_wanted = random_.uniform(12.0, 20.0);
-    const auto num_branches = static_cast<int>(std::clamp(
-        frontage / (2.0 * length_wanted + 2.0 * pitch - w()), 1.0, 4.0));
+    const auto num_branches = static_cast<int>(
+        std::clamp(frontage / (2.0 * length_wanted + 2.0 * pitch - w()), 1.0, 4.0));
     const double spine = pitch * num_branches;
-    const double length =
-        std::max(6.0, (frontage / num_branches - 2.0 * pitch + w()) / 2.0);
+    const double length = std::max(6.0, (frontage / num_branches - 2.0 * pitch + w()) / 2.0);
     add_corridor({0, 0, spine, w()});
     add_strip({0, -t() - outer(), spine, -t()}, Side::south, 0, spine);
     double begin = 0.0;

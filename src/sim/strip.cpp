@@ -64,7 +64,11 @@ class StripFiller {
 public:
     StripFiller(Plan& plan, const Strip& strip, std::size_t corridor, const WingStyle& style,
                 Trade trade, Random& random)
-        : plan_(plan), strip_(strip), style_(style), trade_(trade), random_(random),
+        : plan_(plan),
+          strip_(strip),
+          style_(style),
+          trade_(trade),
+          random_(random),
           units_(plan, style, trade, random) {
         lot_.frame = strip.frame;
         lot_.depth = strip.depth;
@@ -113,8 +117,7 @@ const Offer* StripFiller::choose(double room_left) const {
 // Where a lot of the wanted length ends, so that it has a front and what remains is usable.
 double StripFiller::end_of(double length) const {
     const double end = std::max(lot_.begin + length, strip_.front_begin + kLeastFront);
-    const double least_tail =
-        std::max(kLeastRoom, strip_.length - strip_.front_end + kLeastFront);
+    const double least_tail = std::max(kLeastRoom, strip_.length - strip_.front_end + kLeastFront);
     return strip_.length - end - style_.partition_m < least_tail ? strip_.length : end;
 }
 
@@ -128,15 +131,32 @@ void StripFiller::build(const Offer& offer) {
     const std::optional<std::size_t> neighbour = neighbour_;
     neighbour_.reset();
     switch (offer.kind) {
-        case UnitKind::around: units_.add_room_around(lot_); return;
-        case UnitKind::deep_suite: units_.add_deep_suite(lot_); return;
-        case UnitKind::side_suite: units_.add_side_suite(lot_); return;
-        case UnitKind::washroom: units_.add_washroom(lot_); return;
-        case UnitKind::aisle: units_.add_aisle(lot_); return;
-        case UnitKind::cubicle_row: units_.add_cubicle_row(lot_); return;
-        case UnitKind::open_room: units_.add_open_room(lot_); return;
-        case UnitKind::core: units_.add_core(lot_); return;
-        default: break;
+        case UnitKind::around:
+            units_.add_room_around(lot_);
+            return;
+        case UnitKind::deep_suite:
+            units_.add_deep_suite(lot_);
+            return;
+        case UnitKind::side_suite:
+            units_.add_side_suite(lot_);
+            return;
+        case UnitKind::washroom:
+            units_.add_washroom(lot_);
+            return;
+        case UnitKind::aisle:
+            units_.add_aisle(lot_);
+            return;
+        case UnitKind::cubicle_row:
+            units_.add_cubicle_row(lot_);
+            return;
+        case UnitKind::open_room:
+            units_.add_open_room(lot_);
+            return;
+        case UnitKind::core:
+            units_.add_core(lot_);
+            return;
+        default:
+            break;
     }
     neighbour_ = neighbour;
     build_room();

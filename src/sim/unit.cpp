@@ -31,13 +31,15 @@ RoomUse choose_use(Trade trade, double area_m2, Random& random) {
             return pick(random, {RoomUse::lounge, RoomUse::lounge, RoomUse::bedroom});
         case Trade::clinic:
             if (area_m2 < 6.0) return RoomUse::storage;
-            if (area_m2 < 40.0) return pick(random, {RoomUse::ward, RoomUse::ward, RoomUse::office});
+            if (area_m2 < 40.0)
+                return pick(random, {RoomUse::ward, RoomUse::ward, RoomUse::office});
             return pick(random, {RoomUse::laboratory, RoomUse::lounge, RoomUse::ward});
         case Trade::school:
             if (area_m2 < 6.0) return RoomUse::storage;
             if (area_m2 < 28.0) return pick(random, {RoomUse::office, RoomUse::meeting});
             return pick(random, {RoomUse::classroom, RoomUse::classroom, RoomUse::laboratory});
-        case Trade::office: break;
+        case Trade::office:
+            break;
     }
     if (area_m2 < 6.0) return RoomUse::storage;
     if (area_m2 < 18.0) return RoomUse::office;
@@ -47,9 +49,12 @@ RoomUse choose_use(Trade trade, double area_m2, Random& random) {
 
 double UnitBuilder::door_width() {
     switch (trade_) {
-        case Trade::home: return random_.uniform(0.75, 0.95);
-        case Trade::clinic: return random_.uniform(0.95, 1.2);
-        default: return random_.uniform(0.8, 1.05);
+        case Trade::home:
+            return random_.uniform(0.75, 0.95);
+        case Trade::clinic:
+            return random_.uniform(0.95, 1.2);
+        default:
+            return random_.uniform(0.8, 1.05);
     }
 }
 
@@ -126,8 +131,8 @@ void UnitBuilder::add_room_around(const Lot& lot) {
     const bool at_left = random_.uniform() < 0.5;
     const double cut = at_left ? lot.begin + width : lot.end - width;
     const Rect small = at_left ? Rect{lot.begin, 0, cut, depth} : Rect{cut, 0, lot.end, depth};
-    const Rect arm = at_left ? Rect{cut + p, 0, lot.end, depth + p}
-                             : Rect{lot.begin, 0, cut - p, depth + p};
+    const Rect arm =
+        at_left ? Rect{cut + p, 0, lot.end, depth + p} : Rect{lot.begin, 0, cut - p, depth + p};
     const Rect body{lot.begin, depth + p, lot.end, lot.depth};
 
     const RoomUse use = choose_use(trade_, arm.area() + body.area(), random_);
@@ -135,9 +140,9 @@ void UnitBuilder::add_room_around(const Lot& lot) {
     plan_.rooms[room].parts.push_back({lot.frame, arm});
     add_front_door(lot, room, arm.x0, arm.x1);
 
-    const std::size_t inner = plan_.add_room(
-        entered_from_room ? RoomUse::bathroom : RoomUse::storage, lot.frame, small,
-        style_.outer_wall_m);
+    const std::size_t inner =
+        plan_.add_room(entered_from_room ? RoomUse::bathroom : RoomUse::storage, lot.frame, small,
+                       style_.outer_wall_m);
     if (!entered_from_room) {
         add_front_door(lot, inner, small.x0, small.x1);
         return;
@@ -146,8 +151,8 @@ void UnitBuilder::add_room_around(const Lot& lot) {
     const double y = door_place(0.0, depth, opening_width);
     const double wall = at_left ? cut : cut - p;
     const Rect opening{y - 0.5 * opening_width, wall, y + 0.5 * opening_width, wall + p};
-    plan_.doors.push_back({at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(),
-                           opening, false});
+    plan_.doors.push_back(
+        {at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(), opening, false});
 }
 
 void UnitBuilder::add_deep_suite(const Lot& lot) {
@@ -200,19 +205,19 @@ void UnitBuilder::add_washroom(const Lot& lot) {
     const double lobby = std::min(random_.uniform(1.7, 2.6), lot.depth - stall_depth - p);
     const auto count = static_cast<int>(std::max(1.0, (lot.length() + p) / (1.25 + p)));
     const double width = (lot.length() + p) / count - p;
-    const std::size_t room =
-        plan_.add_room(RoomUse::washroom, lot.frame, {lot.begin, 0, lot.end, lobby},
-                       style_.outer_wall_m);
+    const std::size_t room = plan_.add_room(RoomUse::washroom, lot.frame,
+                                            {lot.begin, 0, lot.end, lobby}, style_.outer_wall_m);
     add_front_door(lot, room, lot.begin, lot.end);
     for (int i = 0; i < count; ++i) {
         const double x = lot.begin + i * (width + p);
         const std::size_t stall =
             plan_.add_room(RoomUse::toilet, lot.frame,
-                           {x, lobby + p, x + width, lobby + p + stall_depth},
-                           style_.outer_wall_m);
+                           {x, lobby + p, x + width, lobby + p + stall_depth}, style_.outer_wall_m);
         const double door = random_.uniform(0.7, 0.75);
         const double middle = door_place(x, x + width, door);
-        plan_.doors.push_back({room, stall, lot.frame,
+        plan_.doors.push_back({room,
+                               stall,
+                               lot.frame,
                                {middle - 0.5 * door, lobby, middle + 0.5 * door, lobby + p},
                                false});
     }
@@ -226,8 +231,10 @@ void UnitBuilder::add_washroom(const Lot& lot) {
 // Cubicles along an aisle; in `row` they lie above y = 0, the aisle below the partition.
 void UnitBuilder::add_cubicles(const Frame& row, double length, double depth, std::size_t aisle) {
     constexpr double kPartition = 0.08;
-    const double wanted = random_.uniform(2.0, 2.8);
-    const auto count = static_cast<int>(std::max(1.0, (length + kPartition) / (wanted + kPartition)));
+    constexpr double kMost = 2.7;
+    const double wanted = random_.uniform(1.9, 2.5);
+    int count = std::max(1, static_cast<int>((length + kPartition) / (wanted + kPartition)));
+    if ((length + kPartition) / count - kPartition > kMost) ++count;
     const double width = (length + kPartition) / count - kPartition;
     const double choice = random_.uniform();
     const double spare = std::min(width - 1.3, 1.0);
@@ -235,8 +242,8 @@ void UnitBuilder::add_cubicles(const Frame& row, double length, double depth, st
     const double right = choice < 0.35 ? 0.0 : random_.uniform(0.0, 0.5) * spare;
     for (int i = 0; i < count; ++i) {
         const double x = i * (width + kPartition);
-        const std::size_t room = plan_.add_room(RoomUse::cubicle, row, {x, 0, x + width, depth},
-                                                style_.outer_wall_m);
+        const std::size_t room =
+            plan_.add_room(RoomUse::cubicle, row, {x, 0, x + width, depth}, style_.outer_wall_m);
         plan_.doors.push_back(
             {aisle, room, row, {x + left, -kPartition, x + width - right, 0}, true});
     }
@@ -252,8 +259,11 @@ void UnitBuilder::add_aisle(const Lot& lot) {
     const bool open = random_.uniform() < 0.5;
     const double width = open ? random_.uniform(1.2, aisle - 0.25) : door_width();
     const double x = left + 0.5 * aisle;
-    plan_.doors.push_back({lot.corridor, room, lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0}, open});
+    plan_.doors.push_back({lot.corridor,
+                           room,
+                           lot.frame,
+                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
+                           open});
     const Point v = lot.frame.v;
     const Point u = lot.frame.u;
     add_cubicles({lot.frame.map({lot.begin + depth, 0}), v, {-u.x, -u.y}}, lot.depth, depth, room);
@@ -280,15 +290,17 @@ void UnitBuilder::add_open_room(const Lot& lot) {
     const double high = std::min(lot.end, lot.front_end);
     const double width = std::min(random_.uniform(1.2, 2.0), high - low - 0.6);
     const double x = door_place(low + 0.1, high - 0.1, width);
-    plan_.doors.push_back({lot.corridor, room, lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0}, true});
+    plan_.doors.push_back({lot.corridor,
+                           room,
+                           lot.frame,
+                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
+                           true});
 }
 
 void UnitBuilder::add_core(const Lot& lot) {
     const double p = style_.outer_wall_m;
-    plan_.shafts.push_back(
-        {to_polygon(lot.frame, {lot.begin + p, p, lot.end - p, lot.depth - p}),
-         random_.uniform() < 0.4});
+    plan_.shafts.push_back({to_polygon(lot.frame, {lot.begin + p, p, lot.end - p, lot.depth - p}),
+                            random_.uniform() < 0.4});
 }
 
 }  // namespace quadcut::sim

@@ -18,8 +18,11 @@ Building paper_workplace(double resolution_m) {
         const std::size_t room = plan.add_room(RoomUse::meeting, frame, rect, kWall);
         const bool at_left = rect.x0 < 5.0;
         const double wall = at_left ? rect.x1 : rect.x0 - kWall;
-        plan.doors.push_back({at_left ? room : middle, at_left ? middle : room, frame.swapped(),
-                              {door_low, wall, door_high, wall + kWall}, false});
+        plan.doors.push_back({at_left ? room : middle,
+                              at_left ? middle : room,
+                              frame.swapped(),
+                              {door_low, wall, door_high, wall + kWall},
+                              false});
     };
     add({0.0, 0.0, 5.4, 4.9}, 1.6, 2.6);
     add({0.0, 5.1, 5.4, 10.0}, 7.6, 8.6);

@@ -49,8 +49,8 @@ bool fits_flaser(const Scan& scan) {
 }
 
 void add_scan(std::string& log, const Scan& scan) {
-    const double span =
-        scan.angle_step_rad * static_cast<double>(std::max<std::size_t>(1, scan.ranges_m.size()) - 1);
+    const double span = scan.angle_step_rad *
+                        static_cast<double>(std::max<std::size_t>(1, scan.ranges_m.size()) - 1);
     if (fits_flaser(scan)) {
         log += "FLASER";
         add_ranges(log, scan);
@@ -83,10 +83,14 @@ void add_point(io::JsonWriter& json, const Point& point) {
 
 const char* text_of(RoomKind kind) {
     switch (kind) {
-        case RoomKind::room: return "room";
-        case RoomKind::corridor: return "corridor";
-        case RoomKind::hall: return "hall";
-        case RoomKind::unknown: break;
+        case RoomKind::room:
+            return "room";
+        case RoomKind::corridor:
+            return "corridor";
+        case RoomKind::hall:
+            return "hall";
+        case RoomKind::unknown:
+            break;
     }
     return "unknown";
 }
@@ -126,9 +130,15 @@ std::string encode_map(const GridMap& map) {
             const Cell cell{map.states.origin.x + static_cast<std::int32_t>(x), row};
             // The greys of map_server.
             switch (map.states.at(cell)) {
-                case CellState::occupied: samples[x] = 0; break;
-                case CellState::free: samples[x] = 254; break;
-                case CellState::unknown: samples[x] = 205; break;
+                case CellState::occupied:
+                    samples[x] = 0;
+                    break;
+                case CellState::free:
+                    samples[x] = 254;
+                    break;
+                case CellState::unknown:
+                    samples[x] = 205;
+                    break;
             }
         }
     });
@@ -196,8 +206,7 @@ void write_simulation(const std::filesystem::path& folder, const Building& build
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) {
-        throw InputError(io::display_name(folder) + ": cannot make the folder: " +
-                         error.message());
+        throw InputError(io::display_name(folder) + ": cannot make the folder: " + error.message());
     }
     io::write_file_atomically(folder / "map.pgm", encode_map(building.map));
     io::write_file_atomically(folder / "map.yaml", map_yaml(building.map));
