@@ -186,6 +186,7 @@ OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
             progress(i + 1);
         }
     }
+    map.shrink_to_fit();
     return map;
 }
 

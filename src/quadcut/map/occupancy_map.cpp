@@ -112,6 +112,26 @@ OccupancyMap::OccupancyMap(double resolution_m, const Pose& world_from_map)
     }
 }
 
+OccupancyMap::OccupancyMap(double resolution_m, const Pose& world_from_map, const Root& root)
+    : OccupancyMap(resolution_m, world_from_map) {
+    const auto is_near = [&](std::int32_t low) {
+        return low % kTileSide == 0 && low >= -4 * kMaxCoordinate && low / 4 < kMaxCoordinate;
+    };
+    if (root.level < kTileBits || root.level > kMaxLevel || !is_near(root.lower_left.x) ||
+        !is_near(root.lower_left.y)) {
+        throw InputError("map: the root is no block of 8 to 2^30 cells within 2^30");
+    }
+    root_ = root;
+    committed_root_ = root;
+    is_placed_ = true;
+    pyramid_ = empty_pyramid(root, {});
+}
+
+std::pair<Cell, Cell> OccupancyMap::written_tiles() const {
+    const TileRange range = range_of(store_.directory());
+    return {range.low, range.high};
+}
+
 Cell OccupancyMap::cell_at(const Point& world) const {
     const Point point = transform(map_from_world_, world);
     const double x = std::floor(point.x / resolution_m_);
@@ -155,7 +175,7 @@ void OccupancyMap::grow(Cell low_tile, Cell high_tile) {
         throw InputError("map: the extent passes 2^31 cells");
     }
     Root from = root_;
-    if (!is_root_placed_) {
+    if (!is_placed_) {
         from = {{low_tile.x * kTileSide, low_tile.y * kTileSide}, kTileBits};
     }
     const Root root = grown_root(from, wanted);
@@ -170,9 +190,9 @@ void OccupancyMap::grow(Cell low_tile, Cell high_tile) {
     }
     store_.set_rectangle(range.low, range.high);
     pyramid_ = std::move(pyramid);
-    if (!is_root_placed_) {
+    if (!is_placed_) {
         committed_root_ = from;
-        is_root_placed_ = true;
+        is_placed_ = true;
     }
     root_ = root;
 }

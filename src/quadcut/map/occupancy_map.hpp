@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -50,6 +51,9 @@ public:
     /// An empty map. Its root is placed by the first write.
     /// Throws InputError unless 0 < resolution_m < infinity and the pose is finite.
     explicit OccupancyMap(double resolution_m, const Pose& world_from_map = {});
+    /// An empty map whose root has its place: of tile size (level 3) or more, its lower left a
+    /// multiple of 8. Throws InputError as above and when the root does not fit the limits.
+    OccupancyMap(double resolution_m, const Pose& world_from_map, const Root& root);
 
     /// Free and occupied cells get the log-odds bounds. Cells keep their addresses; the root's
     /// lower left is that of the raster, (0, 0) for a map from a file. O(cells).
@@ -78,6 +82,11 @@ public:
     [[nodiscard]] bool is_uniform_tile(Cell tile) const { return store_.is_uniform(tile); }
 
     [[nodiscard]] const Root& root() const { return root_; }
+    /// Whether the root has its place; false until the first write.
+    [[nodiscard]] bool is_placed() const { return is_placed_; }
+    /// The lowest and the highest tile of a rectangle that holds all that is known; an empty one is
+    /// (0, 0), (-1, -1).
+    [[nodiscard]] std::pair<Cell, Cell> written_tiles() const;
     /// Leaves of the root, unknown ones included.
     [[nodiscard]] std::size_t num_leaves() const;
     /// Leaves and inner nodes: every inner node has four children.
@@ -102,6 +111,8 @@ public:
     void add_log_odds(Cell cell, int delta);
     /// Replaces the 8 x 8 cells (8 tile.x .., 8 tile.y ..).
     void set_tile(Cell tile, const Tile& values);
+    /// Gives back the bytes that are kept for tiles to come.
+    void shrink_to_fit() { store_.compact(); }
     /// Ends a batch: collapses, brings the tree up to date and reports.
     /// O(t log t + layers t) for t tiles whose cells changed.
     MapUpdate commit();
@@ -123,7 +134,6 @@ private:
     void grow(Cell low_tile, Cell high_tile);
     void write(Cell cell, int log_odds);
     void remember(Cell tile);
-    void place_root(Cell lower_left, std::int64_t width, std::int64_t height);
     void fill_from(const Raster<CellState>& states, Cell low, Cell high);
     void append_leaves(int layer, Cell position, std::vector<Leaf>& leaves) const;
     void append_tile_leaves(Cell position, std::vector<Leaf>& leaves) const;
@@ -135,7 +145,7 @@ private:
     Pose world_from_map_;
     Pose map_from_world_;
     Root root_{{0, 0}, kTileBits};
-    bool is_root_placed_ = false;
+    bool is_placed_ = false;
     TileStore store_;
     StatePyramid pyramid_;
     std::vector<Pending> pending_;

@@ -40,6 +40,18 @@ std::pair<Cell, Cell> bounds_of_known(const Raster<CellState>& states) {
             {high.x + states.origin.x, high.y + states.origin.y}};
 }
 
+// The smallest root for a raster, its lower left moved down to the next tile.
+Root root_around(const Raster<CellState>& states) {
+    const Cell corner{states.origin.x & ~(kTileSide - 1), states.origin.y & ~(kTileSide - 1)};
+    const std::int64_t extent = std::max(std::int64_t{states.width} + states.origin.x - corner.x,
+                                         std::int64_t{states.height} + states.origin.y - corner.y);
+    int level = kTileBits;
+    while (std::int64_t{1} << level < extent) {
+        ++level;
+    }
+    return {corner, static_cast<std::uint8_t>(level)};
+}
+
 // Bit 8 y + x for every cell (x, y) that is known.
 std::uint64_t known_cells(const Tile& tile) {
     std::uint64_t rows = 0;
@@ -71,35 +83,16 @@ Tile tile_from(const Raster<CellState>& states, Cell tile) {
 }  // namespace
 
 OccupancyMap OccupancyMap::from_grid(const GridMap& grid) {
-    OccupancyMap map(grid.resolution_m, grid.map_from_image);
     const Raster<CellState>& states = grid.states;
     if (states.values.empty()) {
-        return map;
+        return OccupancyMap(grid.resolution_m, grid.map_from_image);
     }
-    map.place_root(states.origin, states.width, states.height);
+    OccupancyMap map(grid.resolution_m, grid.map_from_image, root_around(states));
     const auto [low, high] = bounds_of_known(states);
     if (low.x <= high.x) {
         map.fill_from(states, low, high);
     }
     return map;
-}
-
-// The smallest root for a rectangle, its lower left moved down to the next tile.
-void OccupancyMap::place_root(Cell lower_left, std::int64_t width, std::int64_t height) {
-    const Cell corner{lower_left.x & ~(kTileSide - 1), lower_left.y & ~(kTileSide - 1)};
-    const std::int64_t extent =
-        std::max(width + lower_left.x - corner.x, height + lower_left.y - corner.y);
-    int level = kTileBits;
-    while (std::int64_t{1} << level < extent) {
-        ++level;
-    }
-    if (level > 28) {
-        throw InputError("map: an image is wider or higher than 2^28 cells");
-    }
-    root_ = {corner, static_cast<std::uint8_t>(level)};
-    committed_root_ = root_;
-    is_root_placed_ = true;
-    pyramid_ = StatePyramid(level - kTileBits + 1, {0, 0}, {-1, -1});
 }
 
 void OccupancyMap::fill_from(const Raster<CellState>& states, Cell low, Cell high) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/map/components.hpp"
+
+#include <gtest/gtest.h>
+
+#include "quadcut/base/random.hpp"
+#include "tests/unit/map/reference_tree.hpp"
+
+namespace quadcut {
+namespace {
+
+FreeComponents components_of(const std::vector<std::string>& rows) {
+    return find_free_components(test::grid_from_text(rows).states);
+}
+
+TEST(Components, NeighboursAreFourNotEight) {
+    const FreeComponents free = components_of({".#.",  //
+                                               "#..",  //
+                                               ".#."});
+    ASSERT_EQ(free.components.size(), 3U);
+    EXPECT_EQ(free.labels.at({0, 0}), 1U);
+    EXPECT_EQ(free.labels.at({2, 0}), 2U);
+    EXPECT_EQ(free.labels.at({1, 1}), 2U);
+    EXPECT_EQ(free.labels.at({2, 2}), 2U);
+    EXPECT_EQ(free.labels.at({0, 2}), 3U);
+    EXPECT_EQ(free.labels.at({1, 0}), 0U);
+    EXPECT_EQ(free.components[1].num_cells, 4U);
+    EXPECT_EQ(free.components[1].num_border_cells, 3U);
+}
+
+TEST(Components, ArmsThatMeetLateAreOne) {
+    const FreeComponents free = components_of({".........",  //
+                                               ".#######.",  //
+                                               ".#.#.#.#.",  //
+                                               ".#.....#.",  //
+                                               ".#######."});
+    ASSERT_EQ(free.components.size(), 2U);
+    EXPECT_EQ(free.components[0].num_cells, 17U);
+    EXPECT_EQ(free.components[1].num_cells, 8U);
+    EXPECT_EQ(free.components[1].num_border_cells, 0U);
+}
+
+TEST(Components, TheGroundAroundABuildingIsOutside) {
+    const FreeComponents free = components_of({"........",  //
+                                               ".######.",  //
+                                               ".#....#.",  //
+                                               ".#....#.",  //
+                                               ".######.",  //
+                                               "........"});
+    EXPECT_EQ(find_outside(free, 4), 0U);
+    // Too small to be a building.
+    EXPECT_EQ(find_outside(free, 9), std::nullopt);
+}
+
+TEST(Components, ACroppedRoomIsNotOutside) {
+    EXPECT_EQ(find_outside(components_of({"....", "....", "...."}), 1), std::nullopt);
+    EXPECT_EQ(find_outside(components_of({"######",  //
+                                          "...#..",  //
+                                          "...#..",  //
+                                          "######"}),
+                           1),
+              std::nullopt);
+    EXPECT_EQ(find_outside(components_of({"####", "####"}), 1), std::nullopt);
+    EXPECT_EQ(find_outside(FreeComponents{}, 1), std::nullopt);
+}
+
+TEST(Components, AreChosenByCells) {
+    const FreeComponents free = components_of({"..#..", "..#..", "#####", "....."});
+    const std::vector<Cell> robot{{4, 3}, {99, -5}, {2, 3}};
+    const std::vector<bool> visited = components_with(free, robot);
+    EXPECT_EQ(visited, (std::vector<bool>{false, false, true}));
+    const Raster<std::uint8_t> mask = mask_of(free, visited);
+    EXPECT_EQ(mask.at({3, 2}), 1);
+    EXPECT_EQ(mask.at({0, 2}), 0);
+    EXPECT_EQ(mask.at({2, 2}), 0);
+    EXPECT_EQ(mask.at({0, 0}), 0);
+}
+
+TEST(Components, AreWhatAFloodFindsOnRandomMaps) {
+    Random random(3);
+    for (int round = 0; round < 50; ++round) {
+        const auto width = static_cast<std::int32_t>(1 + random.below(30));
+        const auto height = static_cast<std::int32_t>(1 + random.below(30));
+        Raster<CellState> states({-4, 7}, width, height);
+        for (CellState& state : states.values) {
+            state = random.uniform() < 0.6 ? CellState::free : CellState::occupied;
+        }
+        const FreeComponents free = find_free_components(states);
+        Raster<std::uint32_t> flood({-4, 7}, width, height);
+        std::uint32_t num_floods = 0;
+        for (std::size_t seed = 0; seed < states.values.size(); ++seed) {
+            if (states.values[seed] != CellState::free || flood.values[seed] != 0) {
+                continue;
+            }
+            ++num_floods;
+            std::vector<Cell> open{states.cell(seed)};
+            while (!open.empty()) {
+                const Cell cell = open.back();
+                open.pop_back();
+                if (states.contains(cell) && states.at(cell) == CellState::free &&
+                    flood.at(cell) == 0) {
+                    flood.at(cell) = num_floods;
+                    open.insert(open.end(), {{cell.x + 1, cell.y},
+                                             {cell.x - 1, cell.y},
+                                             {cell.x, cell.y + 1},
+                                             {cell.x, cell.y - 1}});
+                }
+            }
+        }
+        ASSERT_EQ(free.labels.values, flood.values);
+        std::size_t num_border = 0;
+        std::size_t wanted = 0;
+        for (const FreeComponents::Component& component : free.components) {
+            num_border += component.num_border_cells;
+        }
+        for (std::size_t i = 0; i < states.values.size(); ++i) {
+            const Cell cell = states.cell(i);
+            wanted += states.values[i] == CellState::free &&
+                      (cell.x == -4 || cell.y == 7 || cell.x == width - 5 || cell.y == height + 6);
+        }
+        ASSERT_EQ(num_border, wanted);
+    }
+}
+
+}  // namespace
+}  // namespace quadcut
