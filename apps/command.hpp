@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/arguments.hpp"
+
+namespace quadcut {
+
+/// A sub-command: what it takes, and what it does. `run` prints to standard
+/// output, warnings to standard error, and throws when it cannot do what was
+/// asked.
+struct Command {
+    CommandForm form;
+    void (*run)(const Arguments& arguments) = nullptr;
+};
+
+[[nodiscard]] Command segment_command();
+[[nodiscard]] Command map_command();
+[[nodiscard]] Command score_command();
+[[nodiscard]] Command simulate_command();
+[[nodiscard]] Command demo_command();
+[[nodiscard]] Command options_command();
+[[nodiscard]] Command version_command();
+
+/// All that this version has, in the order of the help.
+[[nodiscard]] std::vector<Command> commands();
+
+}  // namespace quadcut

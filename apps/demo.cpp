@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/command.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/progress.hpp"
+#include "apps/run_flags.hpp"
+#include "apps/simulated_robot.hpp"
+#include "apps/truth_score.hpp"
+#include "apps/uninterrupted.hpp"
+#include "io/file.hpp"
+#include "io/number_text.hpp"
+#include "io/results.hpp"
+#include "quadcut/base/stage_clock.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/segment.hpp"
+#include "sim/write.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr const char* kDefaultFolder = "quadcut_demo";
+constexpr const char* kTruthFolder = "simulation";
+
+std::vector<Point> positions(const std::vector<Scan>& scans) {
+    std::vector<Point> points;
+    points.reserve(scans.size());
+    for (const Scan& scan : scans) {
+        points.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
+    }
+    return points;
+}
+
+double length_m(const std::vector<Point>& points) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+    return sum;
+}
+
+std::string percent(double share) { return io::rounded(100.0 * share, 1) + " %"; }
+
+/// What the robot saw, as a map.
+struct RobotMap {
+    GridMap map;
+    std::vector<Point> trajectory;
+};
+
+RobotMap map_scans(const std::vector<Scan>& scans, StageClock& clock, Progress& progress) {
+    clock.begin("map");
+    const OccupancyMap map = map_from_scans(scans, kLogResolution, {}, [&](std::size_t num_done) {
+        progress.update(num_done, scans.size());
+    });
+    return {map.to_grid(), positions(scans)};
+}
+
+void write(const std::filesystem::path& folder, const Simulation& simulation, const RobotMap& robot,
+           const Segmentation& rooms, const io::RoomScore& score, const io::RunInfo& info) {
+    const Uninterrupted uninterrupted;
+    sim::write_simulation(folder / kTruthFolder, simulation.building, simulation.options,
+                          simulation.exploration);
+    io::write_map(folder, robot.map);
+    io::write_results(folder, robot.map, rooms, info);
+    io::write_file_atomically(folder / "score.json", io::to_json(score) + "\n");
+}
+
+void print_story(const std::string& folder, const Simulation& simulation, const RobotMap& robot,
+                 const Segmentation& rooms, const io::RoomScore& score, double elapsed_s) {
+    const sim::Building& building = simulation.building;
+    const Raster<CellState>& cells = robot.map.states;
+    std::cout << "Simulated a furnished building of " << building.rooms.size() << " rooms and "
+              << building.doors.size() << " doors (seed " << simulation.options.seed << ").\n"
+              << "A robot explored it: " << simulation.exploration.scans.size() << " scans on "
+              << io::rounded(length_m(robot.trajectory), 0) << " m of way, mapped to "
+              << cells.width << " x " << cells.height << " cells.\n"
+              << "Cut the map into " << rooms.rooms.size() << " rooms with " << rooms.doors.size()
+              << " doors; all of this took " << io::rounded(elapsed_s, 1) << " s.\n"
+              << "Against the truth: panoptic quality " << percent(score.pq) << ", "
+              << percent(score.f1_50) << " of the rooms found, " << percent(score.cover)
+              << " of their floor.\n"
+              << "Look at " << folder << "/rooms_color.png and " << folder
+              << "/rooms.svg; the truth is in " << folder << "/" << kTruthFolder << ".\n";
+}
+
+void run(const Arguments& arguments) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::filesystem::path folder = output_folder(arguments, kDefaultFolder);
+    SimulationChoice choice;
+    set_fields(arguments, simulation_fields(choice));
+    Progress progress(progress_style_of(arguments));
+    StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
+
+    clock.begin("simulate");
+    const Simulation simulation = simulate(choice, progress);
+    const RobotMap robot = map_scans(simulation.exploration.scans, clock, progress);
+    SegmentOptions options;
+    Segmentation rooms = segment(robot.map, options, robot.trajectory,
+                                 [&clock](std::string_view stage) { clock.begin(stage); });
+    clock.begin("score");
+    const io::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
+    rooms.report.stages_ms = clock.finish();
+    progress.begin("write");
+    io::RunInfo info;
+    info.version = QUADCUT_VERSION;
+    info.input = "simulation, seed " + std::to_string(choice.seed);
+    info.options = option_fields(options);
+    std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
+    info.num_threads = static_cast<int>(options.num_threads);
+    write(folder, simulation, robot, rooms, score, info);
+
+    progress.wipe();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (summary_style_of(arguments) == SummaryStyle::text) {
+        print_story(io::display_name(folder), simulation, robot, rooms, score, elapsed.count());
+    }
+}
+
+}  // namespace
+
+Command demo_command() {
+    SimulationChoice defaults;
+    const std::vector<OptionField> fields = simulation_fields(defaults);
+    CommandForm form;
+    form.name = "demo";
+    form.text =
+        "Simulates a furnished building, maps it, cuts it and compares "
+        "with the truth.";
+    form.flags = {output_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
+    form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
+    return {form, run};
+}
+
+}  // namespace quadcut

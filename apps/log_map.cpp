@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "apps/log_map.hpp"
+
+#include <utility>
+
+#include "apps/pose_match.hpp"
+#include "io/carmen.hpp"
+#include "io/file.hpp"
+#include "io/poses.hpp"
+#include "quadcut/base/error.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/occupancy_map.hpp"
+
+namespace quadcut {
+
+LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesystem::path>& poses,
+               double resolution_m, StageClock& clock, Progress& progress) {
+    clock.begin("read");
+    io::LogFile file = io::read_carmen_log(log);
+    LogMap result;
+    result.warnings = std::move(file.warnings);
+    result.content_hash = file.content_hash;
+    std::vector<Scan> scans = std::move(file.scans);
+    if (poses) {
+        const std::string name = io::display_name(*poses);
+        PosedScans posed = with_poses(std::move(scans), io::read_poses(*poses), name);
+        if (posed.num_left_out > 0) {
+            result.warnings.push_back(name + ": no pose near " +
+                                      std::to_string(posed.num_left_out) + " of the scans of " +
+                                      io::display_name(log) + "; they are left out");
+        }
+        scans = std::move(posed.scans);
+    }
+    clock.begin("map");
+    const OccupancyMap map = map_from_scans(scans, resolution_m, {}, [&](std::size_t num_done) {
+        progress.update(num_done, scans.size());
+    });
+    result.map = map.to_grid();
+    if (result.map.states.values.empty()) {
+        throw InputError(io::display_name(log) +
+                         ": no reading says anything: expected ranges above 0 that "
+                         "hit something");
+    }
+    result.num_leaves = map.num_leaves();
+    result.trajectory.reserve(scans.size());
+    for (const Scan& scan : scans) {
+        result.trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
+    }
+    return result;
+}
+
+}  // namespace quadcut

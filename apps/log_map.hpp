@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/progress.hpp"
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/base/stage_clock.hpp"
+#include "quadcut/map/grid_map.hpp"
+
+namespace quadcut {
+
+/// A map made of a laser log.
+struct LogMap {
+    GridMap map;
+    /// Where the laser was at each scan, metres in the map frame.
+    std::vector<Point> trajectory;
+    std::size_t num_leaves = 0;
+    std::vector<std::string> warnings;
+    std::uint64_t content_hash = 0;
+};
+
+/// Reads a log and maps it; `poses` names a file of poses that replace the
+/// log's own (see with_poses). The stages are `read` and `map`. Throws
+/// InputError.
+[[nodiscard]] LogMap map_log(const std::filesystem::path& log,
+                             const std::optional<std::filesystem::path>& poses, double resolution_m,
+                             StageClock& clock, Progress& progress);
+
+}  // namespace quadcut

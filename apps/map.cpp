@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "apps/command.hpp"
+#include "apps/log_map.hpp"
+#include "apps/message.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/progress.hpp"
+#include "apps/run_flags.hpp"
+#include "apps/uninterrupted.hpp"
+#include "io/file.hpp"
+#include "io/json_writer.hpp"
+#include "io/number_text.hpp"
+#include "io/results.hpp"
+#include "quadcut/base/stage_clock.hpp"
+
+namespace quadcut {
+namespace {
+
+double area_m2(const GridMap& map, CellState state) {
+    const auto& cells = map.states.values;
+    const auto count = std::count(cells.begin(), cells.end(), state);
+    return static_cast<double>(count) * map.resolution_m * map.resolution_m;
+}
+
+struct MapSummary {
+    double free_m2 = 0.0;
+    double occupied_m2 = 0.0;
+    double elapsed_ms = 0.0;
+    std::string folder;
+};
+
+void print_text(const LogMap& log, const MapSummary& summary) {
+    const GridMap& map = log.map;
+    std::cout << log.trajectory.size() << " scans, " << map.states.width << " x "
+              << map.states.height << " cells of " << io::rounded(map.resolution_m) << " m, "
+              << io::rounded(summary.free_m2, 1) << " m² free, " << log.num_leaves << " leaves; "
+              << io::rounded(summary.elapsed_ms, 0) << " ms\n"
+              << summary.folder << ": map.pgm, map.yaml\n";
+}
+
+void print_json(const LogMap& log, const MapSummary& summary) {
+    io::JsonWriter json;
+    json.begin_object(io::JsonLayout::lines);
+    json.key("scans").integer(log.trajectory.size());
+    json.key("width").integer(static_cast<std::uint64_t>(log.map.states.width));
+    json.key("height").integer(static_cast<std::uint64_t>(log.map.states.height));
+    json.key("resolution").number(log.map.resolution_m);
+    json.key("free_m2").number(summary.free_m2);
+    json.key("occupied_m2").number(summary.occupied_m2);
+    json.key("num_leaves").integer(log.num_leaves);
+    json.key("elapsed_ms").number(summary.elapsed_ms);
+    json.key("output").text(summary.folder);
+    json.end_object();
+    std::cout << json.finish();
+}
+
+void run(const Arguments& arguments) {
+    const std::filesystem::path folder = output_folder(arguments);
+    const std::optional<double> resolution_m = resolution_of(arguments);
+    Progress progress(progress_style_of(arguments));
+    StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
+
+    const LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+                               resolution_m.value_or(kLogResolution), clock, progress);
+    clock.begin("write");
+    {
+        const Uninterrupted uninterrupted;
+        io::write_map(folder, log.map);
+    }
+    MapSummary summary{area_m2(log.map, CellState::free), area_m2(log.map, CellState::occupied),
+                       0.0, io::display_name(folder)};
+    for (const auto& [stage, ms] : clock.finish()) summary.elapsed_ms += ms;
+
+    progress.wipe();
+    print_warnings(log.warnings);
+    const SummaryStyle style = summary_style_of(arguments);
+    if (style == SummaryStyle::text) print_text(log, summary);
+    if (style == SummaryStyle::json) print_json(log, summary);
+}
+
+}  // namespace
+
+Command map_command() {
+    CommandForm form;
+    form.name = "map";
+    form.text =
+        "Makes a map of a laser log (CARMEN, plain or .gz): map.pgm and "
+        "map.yaml.";
+    form.operands = {"LOG"};
+    form.flags = {output_flag(), resolution_flag(), poses_flag(), json_flag(), quiet_flag()};
+    return {form, run};
+}
+
+}  // namespace quadcut

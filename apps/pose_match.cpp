@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "apps/pose_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "io/number_text.hpp"
+#include "quadcut/base/error.hpp"
+#include "quadcut/base/geometry.hpp"
+
+namespace quadcut {
+namespace {
+
+bool are_numbered(const std::vector<io::TimedPose>& poses, std::size_t num_scans) {
+    return std::all_of(poses.begin(), poses.end(), [num_scans](const io::TimedPose& pose) {
+        return pose.time_s == std::floor(pose.time_s) && pose.time_s >= 0.0 &&
+               pose.time_s < static_cast<double>(num_scans);
+    });
+}
+
+Pose between(const io::TimedPose& before, const io::TimedPose& after, double time_s) {
+    const double length = after.time_s - before.time_s;
+    const double share = length > 0.0 ? (time_s - before.time_s) / length : 0.0;
+    // The shorter way round.
+    const double turn =
+        std::remainder(after.pose.yaw_rad - before.pose.yaw_rad, 2.0 * std::acos(-1.0));
+    return {before.pose.x + share * (after.pose.x - before.pose.x),
+            before.pose.y + share * (after.pose.y - before.pose.y),
+            before.pose.yaw_rad + share * turn};
+}
+
+/// @pre poses are in order of time and not empty.
+std::optional<Pose> pose_at(const std::vector<io::TimedPose>& poses, double time_s) {
+    const auto after =
+        std::lower_bound(poses.begin(), poses.end(), time_s,
+                         [](const io::TimedPose& pose, double time) { return pose.time_s < time; });
+    if (after == poses.end()) {
+        if (time_s - poses.back().time_s > kPoseReach) return std::nullopt;
+        return poses.back().pose;
+    }
+    if (after == poses.begin()) {
+        if (after->time_s - time_s > kPoseReach) return std::nullopt;
+        return after->pose;
+    }
+    return between(*(after - 1), *after, time_s);
+}
+
+std::string span_text(double first, double last) {
+    return io::rounded(first) + " to " + io::rounded(last);
+}
+
+}  // namespace
+
+PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,
+                      const std::string& name) {
+    std::stable_sort(
+        poses.begin(), poses.end(),
+        [](const io::TimedPose& a, const io::TimedPose& b) { return a.time_s < b.time_s; });
+    const bool is_numbered = are_numbered(poses, scans.size());
+    const std::size_t num_scans = scans.size();
+    PosedScans posed;
+    double first_s = HUGE_VAL;
+    double last_s = -HUGE_VAL;
+    for (std::size_t i = 0; i < num_scans; ++i) {
+        const double time_s = is_numbered ? static_cast<double>(i) : scans[i].time_s;
+        first_s = std::min(first_s, time_s);
+        last_s = std::max(last_s, time_s);
+        const std::optional<Pose> pose = pose_at(poses, time_s);
+        if (!pose) continue;
+        scans[i].world_from_sensor = *pose;
+        posed.scans.push_back(std::move(scans[i]));
+    }
+    posed.num_left_out = num_scans - posed.scans.size();
+    if (posed.scans.empty()) {
+        throw InputError(name + ": no pose is near a scan in time: the poses are of " +
+                         span_text(poses.front().time_s, poses.back().time_s) +
+                         " s, the scans of " + span_text(first_s, last_s) + " s");
+    }
+    return posed;
+}
+
+}  // namespace quadcut

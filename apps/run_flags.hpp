@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "apps/arguments.hpp"
+#include "apps/progress.hpp"
+
+namespace quadcut {
+
+// Flags that several commands share.
+
+[[nodiscard]] Flag resolution_flag();
+[[nodiscard]] Flag poses_flag();
+[[nodiscard]] Flag json_flag();
+[[nodiscard]] Flag quiet_flag();
+
+/// Metres a cell, when given. Throws InputError as set_option does.
+[[nodiscard]] std::optional<double> resolution_of(const Arguments& arguments);
+[[nodiscard]] std::optional<std::filesystem::path> poses_of(const Arguments& arguments);
+/// What the run is to show of its progress.
+[[nodiscard]] ProgressStyle progress_style_of(const Arguments& arguments);
+
+/// What goes to standard output at the end of a run.
+enum class SummaryStyle : std::uint8_t { none, text, json };
+[[nodiscard]] SummaryStyle summary_style_of(const Arguments& arguments);
+
+/// The resolution of maps made from scans when none is given.
+inline constexpr double kLogResolution = 0.05;
+
+}  // namespace quadcut

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/segment.hpp"
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/command.hpp"
+#include "apps/input_kind.hpp"
+#include "apps/log_map.hpp"
+#include "apps/message.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/progress.hpp"
+#include "apps/run_flags.hpp"
+#include "apps/summary.hpp"
+#include "apps/uninterrupted.hpp"
+#include "io/file.hpp"
+#include "io/map_server.hpp"
+#include "io/poses.hpp"
+#include "io/results.hpp"
+#include "quadcut/segment/options.hpp"
+
+namespace quadcut {
+namespace {
+
+/// What io::write_results writes, first what people look at.
+constexpr std::array<const char*, 7> kResultFiles{"rooms_color.png", "rooms.svg",     "rooms.png",
+                                                  "rooms.yaml",      "rooms.geojson", "graph.json",
+                                                  "report.json"};
+
+/// What is cut, whether it came as a map or as a log.
+struct Input {
+    GridMap map;
+    io::MapKeys keys;
+    std::vector<Point> trajectory;
+    std::vector<std::string> warnings;
+    std::uint64_t content_hash = 0;
+    bool is_log = false;
+};
+
+Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress) {
+    LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+                         resolution_of(arguments).value_or(kLogResolution), clock, progress);
+    Input input;
+    input.map = std::move(log.map);
+    input.trajectory = std::move(log.trajectory);
+    input.warnings = std::move(log.warnings);
+    input.content_hash = log.content_hash;
+    input.is_log = true;
+    return input;
+}
+
+Input read_map(const Arguments& arguments, StageClock& clock) {
+    clock.begin("read");
+    io::MapReadOptions options;
+    options.resolution_m = resolution_of(arguments);
+    io::MapFile file = io::read_map(arguments.operands[0], options);
+    Input input;
+    input.map = std::move(file.map);
+    input.keys = std::move(file.keys);
+    input.warnings = std::move(file.warnings);
+    input.content_hash = file.content_hash;
+    if (const auto poses = poses_of(arguments)) {
+        for (const io::TimedPose& pose : io::read_poses(*poses)) {
+            input.trajectory.push_back({pose.pose.x, pose.pose.y});
+        }
+    }
+    return input;
+}
+
+/// The options that decide the result; those of the report.
+std::vector<OptionField> without_threads(std::vector<OptionField> fields) {
+    std::erase_if(fields, [](const OptionField& field) { return field.name == "threads"; });
+    return fields;
+}
+
+/// Writes everything; the files written.
+std::vector<std::string> write(const std::filesystem::path& folder, const Input& input,
+                               const Segmentation& rooms, const io::RunInfo& info) {
+    const Uninterrupted uninterrupted;
+    std::vector<std::string> files;
+    if (input.is_log) {
+        io::write_map(folder, input.map);
+        files = {"map.pgm", "map.yaml"};
+    }
+    io::write_results(folder, input.map, rooms, info);
+    files.insert(files.end(), kResultFiles.begin(), kResultFiles.end());
+    return files;
+}
+
+void run(const Arguments& arguments) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::filesystem::path folder = output_folder(arguments);
+    SegmentOptions options;
+    const std::vector<OptionField> fields = option_fields(options);
+    set_fields(arguments, fields);
+    Progress progress(progress_style_of(arguments));
+    StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
+
+    Input input = find_input_kind(arguments.operands[0]) == InputKind::log
+                      ? read_log(arguments, clock, progress)
+                      : read_map(arguments, clock);
+    Segmentation rooms = segment(input.map, options, input.trajectory,
+                                 [&clock](std::string_view stage) { clock.begin(stage); });
+    rooms.report.stages_ms = clock.finish();
+    rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
+                                 input.warnings.end());
+    progress.begin("write");
+    const io::RunInfo info{QUADCUT_VERSION,    arguments.operands[0],
+                           input.content_hash, without_threads(fields),
+                           input.keys,         static_cast<int>(options.num_threads)};
+    const std::vector<std::string> files = write(folder, input, rooms, info);
+
+    progress.wipe();
+    print_warnings(rooms.report.warnings);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    print_summary(rooms, elapsed.count(), io::display_name(folder), files,
+                  summary_style_of(arguments));
+}
+
+}  // namespace
+
+Command segment_command() {
+    SegmentOptions defaults;
+    const std::vector<OptionField> fields = option_fields(defaults);
+    CommandForm form;
+    form.name = "segment";
+    form.text =
+        "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) "
+        "into rooms.";
+    form.operands = {"MAP|LOG"};
+    form.flags = {output_flag(),
+                  resolution_flag(),
+                  flag_of(fields, "preset", "NAME"),
+                  flag_of(fields, "submaps", "K"),
+                  flag_of(fields, "door_width", "M"),
+                  flag_of(fields, "granularity", "G"),
+                  poses_flag(),
+                  flag_of(fields, "threads", "N"),
+                  {std::string(kSetFlag), "", "NAME=VALUE",
+                   "any other option ('quadcut options' lists them); may be repeated"},
+                  json_flag(),
+                  quiet_flag()};
+    form.planned_flags = {"--previous", "--device"};
+    return {form, run};
+}
+
+}  // namespace quadcut

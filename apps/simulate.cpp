@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "apps/command.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/progress.hpp"
+#include "apps/run_flags.hpp"
+#include "apps/simulated_robot.hpp"
+#include "apps/uninterrupted.hpp"
+#include "io/file.hpp"
+#include "io/json_writer.hpp"
+#include "sim/write.hpp"
+
+namespace quadcut {
+namespace {
+
+void run(const Arguments& arguments) {
+    const std::filesystem::path folder = output_folder(arguments);
+    SimulationChoice choice;
+    set_fields(arguments, simulation_fields(choice));
+    Progress progress(progress_style_of(arguments));
+    const Simulation simulation = simulate(choice, progress);
+    {
+        const Uninterrupted uninterrupted;
+        sim::write_simulation(folder, simulation.building, simulation.options,
+                              simulation.exploration);
+    }
+    progress.wipe();
+    const std::size_t num_rooms = simulation.building.rooms.size();
+    const std::size_t num_doors = simulation.building.doors.size();
+    const std::size_t num_scans = simulation.exploration.scans.size();
+    const SummaryStyle style = summary_style_of(arguments);
+    if (style == SummaryStyle::text) {
+        std::cout << num_rooms << " rooms, " << num_doors << " doors; " << num_scans << " scans\n"
+                  << io::display_name(folder)
+                  << ": map.pgm map.yaml rooms.png truth.json robot.log true_poses.tum\n";
+    }
+    if (style == SummaryStyle::json) {
+        io::JsonWriter json;
+        json.begin_object(io::JsonLayout::lines);
+        json.key("rooms").integer(num_rooms);
+        json.key("doors").integer(num_doors);
+        json.key("scans").integer(num_scans);
+        json.key("output").text(io::display_name(folder));
+        json.end_object();
+        std::cout << json.finish();
+    }
+}
+
+}  // namespace
+
+Command simulate_command() {
+    SimulationChoice defaults;
+    const std::vector<OptionField> fields = simulation_fields(defaults);
+    CommandForm form;
+    form.name = "simulate";
+    form.text =
+        "Draws a building with its truth and the log of a robot that "
+        "explores it.";
+    form.flags = {output_flag(),
+                  flag_of(fields, "seed", "S"),
+                  flag_of(fields, "rooms", "N"),
+                  flag_of(fields, "furniture", "F"),
+                  json_flag(),
+                  quiet_flag()};
+    return {form, run};
+}
+
+}  // namespace quadcut

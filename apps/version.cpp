@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <iostream>
+
+#include "apps/command.hpp"
+
+namespace quadcut {
+
+Command version_command() {
+    CommandForm form;
+    form.name = "version";
+    form.text = "Prints the version.";
+    return {form, [](const Arguments&) { std::cout << "quadcut " QUADCUT_VERSION "\n"; }};
+}
+
+}  // namespace quadcut
