@@ -59,6 +59,9 @@ public:
     /// O(leaves met + tiles of the rectangle).
     template <typename Visitor>
     void for_each_leaf_in(Cell low, Cell high, Visitor&& visit) const {
+        if (low.x > high.x || low.y > high.y) {
+            return;
+        }
         const Cell first{std::max(low.x >> kTileBits, low_tile_.x),
                          std::max(low.y >> kTileBits, low_tile_.y)};
         const Cell last{std::min(high.x >> kTileBits, low_tile_.x + width_ - 1),
