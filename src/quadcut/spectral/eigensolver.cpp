@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "quadcut/spectral/slicing.hpp"
+#include "quadcut/spectral/connected_solver.hpp"
 
 namespace quadcut {
 namespace {

@@ -8,8 +8,6 @@
 
 #include <Eigen/Dense>
 
-#include "quadcut/base/random.hpp"
-
 namespace quadcut {
 namespace {
 
@@ -219,17 +217,22 @@ struct Sorted {
 Sorted sort_out(const BlockLanczos::Ritz& ritz, double shift, const SpectrumSlice& slice,
                 double max_residual) {
     Sorted result;
+    // Rounding may put a small eigenvalue below zero.
+    const double low = slice.low.num_below == 0 ? -slice.high.at : slice.low.at;
     for (Index j = 0; j < ritz.thetas.size(); ++j) {
         const double theta = ritz.thetas[j];
         if (theta == 0.0) continue;
         const double value = shift + 1.0 / theta;
-        if (value < slice.low || value >= slice.high) continue;
+        if (value < low || value >= slice.high.at) continue;
         // Of the improved vector A x / theta: L's residual is A's over theta^2.
         const double relative = ritz.residuals[j] / std::abs(theta);
         const bool good =
             relative <= kMaxRelativeResidual && relative / std::abs(theta) <= max_residual;
         (good ? result.converged : result.unconverged).push_back(j);
     }
+    // By eigenvalue.
+    std::sort(result.converged.begin(), result.converged.end(),
+              [&](Index a, Index b) { return 1.0 / ritz.thetas[a] < 1.0 / ritz.thetas[b]; });
     return result;
 }
 
@@ -241,14 +244,15 @@ void append_columns(MatrixXd& matrix, const MatrixXd& columns) {
 
 }  // namespace
 
-SlicePairs find_slice_pairs(const ShiftedFactor& factor, double shift, const SpectrumSlice& slice,
-                            std::span<const double> null_vector, const LanczosOptions& options) {
+SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& slice,
+                            std::span<const double> null_vector, double max_residual,
+                            Random& random) {
     const Index size = static_cast<Index>(null_vector.size());
+    const double shift = factor.shift();
     // Locked: the null vector, then the pairs found.
     MatrixXd locked = Eigen::Map<const VectorXd>(null_vector.data(), size);
     std::vector<double> values;
     MatrixXd first(size, 0);
-    Random random(options.seed);
     int num_barren = 0;
     while (values.size() < slice.num_wanted && locked.cols() < size && num_barren < kMaxBarren) {
         const Index missing = static_cast<Index>(slice.num_wanted - values.size());
@@ -263,7 +267,7 @@ SlicePairs find_slice_pairs(const ShiftedFactor& factor, double shift, const Spe
             more = lanczos.step();
             if (more && lanczos.num_basis() < next_check) continue;
             ritz = lanczos.ritz();
-            sorted = sort_out(ritz, shift, slice, options.max_residual);
+            sorted = sort_out(ritz, shift, slice, max_residual);
             if (static_cast<Index>(sorted.converged.size()) >= missing) break;
             next_check = lanczos.num_basis() + kCheckEvery * kBlock;
         }

@@ -60,7 +60,7 @@ NullSpace find_null_space(const Laplacian& laplacian, std::uint64_t seed) {
     if (space.num_nodes == 0) return space;
     const double norm = laplacian.norm_bound();
     ShiftedFactor factor(laplacian);
-    space.dimension = factor.factorize(kZero * norm);
+    space.dimension = factor.factorize(kZero * norm).num_below;
     // Just below zero the matrix is definite and its inverse is almost all null space.
     factor.factorize(-kZero * norm);
     Random random(seed);

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/spectral/shifted_factor.hpp"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -11,18 +10,11 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include "quadcut/base/error.hpp"
-
 namespace quadcut {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-constexpr int kMaxAttempts = 5;
-/// Share of the norm: smaller pivots are rounding errors, whose sign means nothing.
-constexpr double kSmallestPivot = 1e-14;
-constexpr double kNudge = 1e-12;
 
 /// One pass down the columns of M, one up. Rows of the block are contiguous, so that the inner
 /// loop runs over right-hand sides: that is where vector instructions are.
@@ -53,12 +45,12 @@ void solve_block(const SparseMatrix& factor, const Eigen::VectorXd& pivots, doub
 struct ShiftedFactor::Matrix {
     SparseMatrix lower;
     std::vector<std::uint32_t> order;
-    double norm = 0.0;
 };
 
 struct ShiftedFactor::Numeric {
     explicit Numeric(const SparseMatrix& lower) { ldlt.analyzePattern(lower); }
     Ldlt ldlt;
+    double shift = 0.0;
     Eigen::VectorXd pivots;
 };
 
@@ -87,7 +79,6 @@ ShiftedFactor::ShiftedFactor(const Laplacian& laplacian) {
     matrix->lower.resize(lower.rows(), lower.cols());
     matrix->lower.selfadjointView<Eigen::Lower>() =
         lower.selfadjointView<Eigen::Lower>().twistedBy(old_from_new.inverse());
-    matrix->norm = laplacian.norm_bound();
     numeric_ = std::make_unique<Numeric>(matrix->lower);
     matrix_ = std::move(matrix);
 }
@@ -99,23 +90,23 @@ ShiftedFactor::~ShiftedFactor() = default;
 
 std::span<const std::uint32_t> ShiftedFactor::order() const { return matrix_->order; }
 
-std::size_t ShiftedFactor::factorize(double shift) {
-    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-        numeric_->ldlt.setShift(-shift);
-        numeric_->ldlt.factorize(matrix_->lower);
-        if (numeric_->ldlt.info() == Eigen::Success) {
-            numeric_->pivots = numeric_->ldlt.vectorD();
-            const auto& pivots = numeric_->pivots;
-            if (pivots.allFinite() &&
-                (pivots.array().abs() > kSmallestPivot * matrix_->norm).all()) {
-                return static_cast<std::size_t>((pivots.array() < 0.0).count());
-            }
-        }
-        shift += kNudge * matrix_->norm * (attempt + 1);
-    }
-    throw NumericalError("ShiftedFactor: L - sigma I has no stable factorisation near sigma = " +
-                         std::to_string(shift));
+ShiftedFactor::Inertia ShiftedFactor::factorize(double shift) {
+    numeric_->shift = shift;
+    numeric_->ldlt.setShift(-shift);
+    numeric_->ldlt.factorize(matrix_->lower);
+    Inertia result{0, std::numeric_limits<double>::infinity()};
+    if (numeric_->ldlt.info() != Eigen::Success) return result;
+    numeric_->pivots = numeric_->ldlt.vectorD();
+    const SparseMatrix& factor = numeric_->ldlt.matrixL().nestedExpression();
+    const Eigen::Map<const Eigen::ArrayXd> entries(factor.valuePtr(), factor.nonZeros());
+    if (!numeric_->pivots.allFinite() || !entries.allFinite()) return result;
+    if ((numeric_->pivots.array() == 0.0).any()) return result;
+    result.growth = entries.size() == 0 ? 0.0 : entries.abs().maxCoeff();
+    result.num_below = static_cast<std::size_t>((numeric_->pivots.array() < 0.0).count());
+    return result;
 }
+
+double ShiftedFactor::shift() const { return numeric_->shift; }
 
 void ShiftedFactor::solve(std::span<double> block, std::size_t width) const {
     if (block.size() != matrix_->order.size() * width) {

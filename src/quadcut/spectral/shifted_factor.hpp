@@ -27,11 +27,16 @@ public:
     /// order()[i] is the row of L that stands in place i.
     [[nodiscard]] std::span<const std::uint32_t> order() const;
 
-    /// Factorises at `shift` and returns the number of eigenvalues of L below it (Sylvester's law
-    /// of inertia: the negative entries of D). Where a pivot is too small to trust its sign, the
-    /// shift is raised by a little (some 1e-12 of the norm, a few times at most; then
-    /// NumericalError).
-    std::size_t factorize(double shift);
+    /// What a factorisation tells.
+    struct Inertia {
+        /// Eigenvalues of L below the shift: the negative entries of D (Sylvester's law).
+        std::size_t num_below = 0;
+        /// Largest entry of M in magnitude. There is no pivoting: errors are that many times the
+        /// rounding errors of L. Infinite if there is no factorisation.
+        double growth = 0.0;
+    };
+    Inertia factorize(double shift);
+    [[nodiscard]] double shift() const;
 
     /// Overwrites `block`, row-major with `width` columns, with (L - sigma I)^-1 block. Width is a
     /// power of two of at most 16. @pre factorize() has been called.

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "quadcut/base/parallel.hpp"
-#include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/base/random.hpp"
 #include "quadcut/spectral/laplacian.hpp"
+#include "quadcut/spectral/shifted_factor.hpp"
 
 namespace quadcut {
 
@@ -18,21 +18,34 @@ struct SpectrumRequest {
     std::size_t max_count = 0;
 };
 
-/// Eigenpairs of a connected graph's Laplacian, eigenvalues ascending; the vectors, each of length
-/// size() of the Laplacian, stand one after the other.
-struct ConnectedPairs {
-    std::vector<double> values;
-    std::vector<double> vectors;
-    std::vector<double> residuals;
+/// A place in the spectrum and the number of eigenvalues below it.
+struct SpectrumMark {
+    double at = 0.0;
+    std::size_t num_below = 0;
 };
 
-/// Solves by slicing the spectrum: the inertia of L - sigma I tells how many eigenvalues lie below
-/// sigma, so the wanted part is divided into slices of known, small numbers of pairs, and each is
-/// found by a short Lanczos run around a shift of its own. Slices are independent: they run in
-/// parallel, the cost grows in proportion to the pairs, and the count is certain.
-/// @pre the graph is connected. Throws NumericalError when the answer does not pass its checks.
-[[nodiscard]] ConnectedPairs solve_connected(const Laplacian& laplacian,
-                                             const SpectrumRequest& request,
-                                             const EigenOptions& options, const Executor& executor);
+/// The part of the spectrum between two marks, and how many of its eigenpairs are wanted: all, or
+/// as many as are missing of (nearly) one multiple eigenvalue.
+struct SpectrumSlice {
+    SpectrumMark low;
+    SpectrumMark high;
+    std::size_t num_wanted = 0;
+};
+
+/// Divides the wanted part of a spectrum into slices, ascending, of some tens of pairs each. The
+/// inertia of L - sigma I counts the eigenvalues below sigma, so the numbers are certain. There may
+/// be a few pairs more than wanted. Eigenvalues within 1e-6 of the norm may stand for each other
+/// where no factorisation between them is stable; otherwise within 1e-9.
+/// Cost: some ten factorisations, and one or two a slice. Throws NumericalError.
+[[nodiscard]] std::vector<SpectrumSlice> plan_slices(const Laplacian& laplacian,
+                                                     ShiftedFactor& factor,
+                                                     const SpectrumRequest& request,
+                                                     Random& random);
+
+/// Narrows the slice until there are eigenvalues on both sides of its middle, and leaves `factor`
+/// near there: `random` says where, since a symmetric map may well have an eigenvalue right in the
+/// middle. @pre a pair of the slice is wanted.
+[[nodiscard]] SpectrumSlice place_shift(const SpectrumSlice& slice, ShiftedFactor& factor,
+                                        Random& random);
 
 }  // namespace quadcut
