@@ -30,7 +30,8 @@ void FileBatch::add(const std::string& name, std::string_view bytes) {
     Entry entry;
     entry.path = folder_ / name;
     entry.temporary = folder_ / (name + ".new" + std::to_string(::getpid()));
-    if (std::filesystem::is_directory(entry.path)) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(entry.path, ignored)) {
         throw InputError(display_name(entry.path) + ": cannot be written: it is a folder");
     }
     try {

@@ -3,7 +3,6 @@
 #include "io/floor_cells.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,9 +18,11 @@ constexpr double kMaxWallMetres = 0.5;
 /// Bounds memory, whatever the resolution says.
 constexpr std::int32_t kMaxWallCells = 256;
 
+/// How many cells fit into a length.
 std::int32_t to_cells(double metres, double resolution_m) {
     constexpr double kMost = 1e6;
-    return static_cast<std::int32_t>(std::ceil(std::min(metres / resolution_m, kMost)));
+    constexpr double kRounding = 1e-6;
+    return static_cast<std::int32_t>(std::min(metres / resolution_m + kRounding, kMost));
 }
 
 /// A rectangle of cells as it grows; empty at first.

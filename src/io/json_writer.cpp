@@ -32,7 +32,7 @@ void append_escaped(std::string& out, char32_t code_point) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string json_text(std::string_view text) {
     std::string result = "\"";
     for (const char32_t code_point : decode_utf8(text)) append_escaped(result, code_point);
     result += '"';
@@ -92,7 +92,7 @@ JsonWriter& JsonWriter::end_array() {
 
 JsonWriter& JsonWriter::key(std::string_view name) {
     next_member();
-    text_ += quoted(name);
+    text_ += json_text(name);
     text_ += ": ";
     after_key_ = true;
     return *this;
@@ -100,7 +100,7 @@ JsonWriter& JsonWriter::key(std::string_view name) {
 
 JsonWriter& JsonWriter::text(std::string_view value) {
     before_value();
-    text_ += quoted(value);
+    text_ += json_text(value);
     return *this;
 }
 

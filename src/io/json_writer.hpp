@@ -15,7 +15,7 @@ namespace quadcut::io {
 enum class JsonLayout : std::uint8_t { one_line, lines };
 
 /// A JSON text in double quotes. Bytes that are no UTF-8 become U+FFFD. It is valid YAML, too.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string json_text(std::string_view text);
 
 /// Writes JSON from the first byte to the last: commas, quotes and indents are its own business,
 /// what goes where is the caller's. Faster than building a tree, and its layout can be read.

@@ -41,12 +41,12 @@ std::string to_rooms_yaml(const GridMap& map, const MapKeys& keys, std::span<con
     for (std::size_t i = 0; i < rooms.size(); ++i) {
         const Room& room = rooms[i];
         const std::string number = std::to_string(index(room.id));
-        yaml += "  - {value: " + number + ", id: " + number + ", name: " + quoted(name_of(room)) +
-                ", kind: " + std::string(to_text(room.kind)) +
-                ", area_m2: " + rounded(room.area_m2) +
-                ", centroid: " + pair_of(room.centroid, decimals) +
-                ", label_point: " + pair_of(room.label_point, decimals) + ", color: \"" +
-                to_hex(colors[i]) + "\"}\n";
+        yaml +=
+            "  - {value: " + number + ", id: " + number + ", name: " + json_text(name_of(room)) +
+            ", kind: " + std::string(to_text(room.kind)) + ", area_m2: " + rounded(room.area_m2) +
+            ", centroid: " + pair_of(room.centroid, decimals) +
+            ", label_point: " + pair_of(room.label_point, decimals) + ", color: \"" +
+            to_hex(colors[i]) + "\"}\n";
     }
     return yaml;
 }

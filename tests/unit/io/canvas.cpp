@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "io/image.hpp"
+#include "tests/unit/io/scratch.hpp"
+
+namespace quadcut::io {
+namespace {
+
+constexpr Rgb kWhite{255, 255, 255};
+constexpr Rgb kBlack{0, 0, 0};
+
+/// How much ink is on a black-on-white canvas, in pixels.
+double ink_on(const Canvas& canvas) {
+    double sum = 0.0;
+    for (std::int32_t y = 0; y < canvas.height(); ++y) {
+        for (std::int32_t x = 0; x < canvas.width(); ++x) {
+            sum += (255.0 - canvas.at(x, y).red) / 255.0;
+        }
+    }
+    return sum;
+}
+
+Shape polygon(const std::vector<Point>& points) {
+    Shape shape;
+    shape.add_polygon(points);
+    return shape;
+}
+
+TEST(Canvas, FillsWholePixelsCrisply) {
+    Canvas canvas(6, 4, kWhite);
+    canvas.fill(polygon({{1, 1}, {4, 1}, {4, 3}, {1, 3}}), kBlack);
+    for (std::int32_t y = 0; y < 4; ++y) {
+        for (std::int32_t x = 0; x < 6; ++x) {
+            const bool inside = x >= 1 && x < 4 && y >= 1 && y < 3;
+            EXPECT_EQ(canvas.at(x, y), inside ? kBlack : kWhite) << x << ", " << y;
+        }
+    }
+}
+
+TEST(Canvas, SharesPixelsByArea) {
+    Canvas canvas(3, 1, kWhite);
+    canvas.fill(polygon({{0.5, 0}, {2.25, 0}, {2.25, 1}, {0.5, 1}}), kBlack);
+    EXPECT_NEAR(canvas.at(0, 0).red, 128, 1);
+    EXPECT_EQ(canvas.at(1, 0).red, 0);
+    EXPECT_NEAR(canvas.at(2, 0).red, 191, 1);
+
+    Canvas triangle(1, 1, kWhite);
+    triangle.fill(polygon({{0, 0}, {1, 0}, {0, 1}}), kBlack);
+    EXPECT_NEAR(triangle.at(0, 0).red, 128, 1);
+}
+
+TEST(Canvas, CoversTheAreaOfAPolygonWhicheverWayRound) {
+    const std::vector<Point> points = {{3.2, 2.1}, {17.7, 5.4}, {14.3, 18.9}, {6.6, 11.2}};
+    double twice_area = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point& a = points[i];
+        const Point& b = points[(i + 1) % points.size()];
+        twice_area += a.x * b.y - b.x * a.y;
+    }
+    Canvas canvas(20, 20, kWhite);
+    canvas.fill(polygon(points), kBlack);
+    EXPECT_NEAR(ink_on(canvas), std::abs(twice_area) / 2.0, 0.5);
+    Canvas reversed(20, 20, kWhite);
+    reversed.fill(polygon({points.rbegin(), points.rend()}), kBlack);
+    EXPECT_NEAR(ink_on(reversed), ink_on(canvas), 0.1);
+}
+
+TEST(Canvas, LeavesHolesOpen) {
+    Shape shape = polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}});
+    shape.add_polygon(std::vector<Point>{{2, 2}, {2, 4}, {4, 4}, {4, 2}});
+    Canvas canvas(6, 6, kWhite);
+    canvas.fill(shape, kBlack);
+    EXPECT_EQ(canvas.at(1, 3), kBlack);
+    EXPECT_EQ(canvas.at(3, 3), kWhite);
+    EXPECT_DOUBLE_EQ(ink_on(canvas), 32.0);
+}
+
+TEST(Canvas, DrawsALineOfItsWidthWithRoundEnds) {
+    Shape shape;
+    shape.add_line(std::vector<Point>{{10, 10}, {30, 10}}, 6.0);
+    Canvas canvas(40, 20, kWhite);
+    canvas.fill(shape, kBlack);
+    EXPECT_NEAR(ink_on(canvas), 20 * 6 + std::numbers::pi * 9, 4.0);
+    EXPECT_EQ(canvas.at(20, 7), kBlack);
+    EXPECT_EQ(canvas.at(20, 6), kWhite);
+    // Lines that cross are no darker, and have no hole, where they do.
+    shape.add_line(std::vector<Point>{{20, 18}, {20, 2}}, 6.0);
+    canvas.fill(shape, kBlack);
+    EXPECT_EQ(canvas.at(20, 10), kBlack);
+}
+
+TEST(Canvas, CutsOffWhatIsOutside) {
+    Canvas canvas(8, 8, kWhite);
+    canvas.fill(polygon({{-100, -100}, {4, -100}, {4, 100}, {-100, 100}}), kBlack);
+    canvas.fill(polygon({{-50, 20}, {50, 20}, {0, 60}}), kBlack);
+    canvas.fill(polygon({{9, 2}, {900, 2}, {900, 5}, {9, 5}}), kBlack);
+    EXPECT_DOUBLE_EQ(ink_on(canvas), 32.0);
+    canvas.fill(polygon({{-1, -1}, {9, -1}, {9, 9}, {-1, 9}}), kBlack);
+    EXPECT_DOUBLE_EQ(ink_on(canvas), 64.0);
+    canvas.fill(Shape(), kWhite);
+}
+
+TEST(Canvas, LaysThinInkOverWhatIsThere) {
+    Canvas canvas(1, 1, kWhite);
+    canvas.fill(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {55, 155, 255}, 0.5);
+    EXPECT_EQ(canvas.at(0, 0), (Rgb{155, 205, 255}));
+}
+
+TEST(Canvas, IsWrittenAsRgb) {
+    const test::ScratchFolder folder;
+    Canvas canvas(2, 1, {1, 2, 3});
+    canvas.fill(polygon({{1, 0}, {2, 0}, {2, 1}, {1, 1}}), {4, 5, 6});
+    const Image image = read_image(folder.write("x.png", canvas.encode_png()));
+    EXPECT_EQ(image.header, (ImageHeader{2, 1, 3, 255}));
+    EXPECT_EQ(image.samples, (std::vector<std::uint16_t>{1, 2, 3, 4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace quadcut::io

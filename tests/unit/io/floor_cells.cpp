@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/floor_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/io/floor_drawing.hpp"
+
+namespace quadcut::io {
+namespace {
+
+/// The sorted cells as text: letters rooms, '#' wall, '+' thin unknown, '.' loose free, ' ' paper;
+/// on it 'F' furniture and 'I' its inside.
+std::vector<std::string> sorted(const test::DrawnFloor& floor) {
+    const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
+    const Raster<std::uint32_t>& ground = cells.ground;
+    std::vector<std::string> rows(static_cast<std::size_t>(ground.height),
+                                  std::string(static_cast<std::size_t>(ground.width), ' '));
+    for (std::size_t i = 0; i < ground.values.size(); ++i) {
+        const Cell cell = ground.cell(i);
+        char& mark = rows[static_cast<std::size_t>(ground.origin.y + ground.height - 1 - cell.y)]
+                         [static_cast<std::size_t>(cell.x - ground.origin.x)];
+        const std::uint32_t value = ground.values[i];
+        if (value > 0 && value < kFirstNonRoom) mark = static_cast<char>('a' + value - 1);
+        if (value == kLooseFree) mark = '.';
+        if (value == kWallCore) mark = '+';
+        if (value == kWall) mark = '#';
+        if (cells.furniture.values[i] == kFurniture) mark = 'F';
+        if (cells.furniture.values[i] == kFurnitureInside) mark = 'I';
+    }
+    return rows;
+}
+
+using Rows = std::vector<std::string>;
+
+TEST(FloorCells, TakeWhatARoomEnclosesForFurniture) {
+    const Rows rows = {"########", "#aaaaaa#", "#a#a #a#", "#aa#aaa#", "#aaaaaa#", "########"};
+    const Rows expected = {"########", "#aaaaaa#", "#aFaIFa#", "#aaFaaa#", "#aaaaaa#", "########"};
+    EXPECT_EQ(sorted(test::drawn_floor(rows)), expected);
+}
+
+TEST(FloorCells, WhatTouchesTwoRoomsOrAWallIsAWall) {
+    const Rows rows = {"#######", "#aa#bb#", "#aaabb#", "#aa#bb#", "#aaabb#", "#######"};
+    EXPECT_EQ(sorted(test::drawn_floor(rows)), rows);
+}
+
+TEST(FloorCells, LargeObstaclesAreNoFurniture) {
+    const Rows rows = {"aaaaaaa", "aa###aa", "aa###aa", "aaaaaaa"};
+    const auto with_resolution = [&](double resolution_m) {
+        return sorted(test::drawn_floor(rows, 1, resolution_m))[1];
+    };
+    EXPECT_EQ(with_resolution(0.5), "aaFFFaa");
+    EXPECT_EQ(with_resolution(1.5), "aa###aa");
+}
+
+TEST(FloorCells, FillTheInsideOfAWall) {
+    const Rows rows = {"##########", "#        #", "# ###### #", "# #aaaa# #",
+                       "# #aaaa# #", "# ###### #", "#        #", "##########"};
+    const Rows expected = {"##########", "##########", "##########", "###aaaa###",
+                           "###aaaa###", "##########", "##########", "##########"};
+    EXPECT_EQ(sorted(test::drawn_floor(rows)), expected);
+}
+
+TEST(FloorCells, ThinUnknownBetweenRoomsIsMarked) {
+    EXPECT_EQ(sorted(test::drawn_floor({"aaaa bbbb", "aaaa bbbb"})),
+              (Rows{"aaaa+bbbb", "aaaa+bbbb"}));
+}
+
+TEST(FloorCells, KeepAMetreAroundTheRooms) {
+    const Rows empty(60, std::string(60, ' '));
+    Rows rows = empty;
+    rows[30] = std::string(30, ' ') + "aaa" + std::string(27, ' ');
+    const test::DrawnFloor floor = test::drawn_floor(rows, 1, 0.1);
+    const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
+    EXPECT_EQ(cells.ground.origin, (Cell{20, 19}));
+    EXPECT_EQ(cells.ground.width, 23);
+    EXPECT_EQ(cells.ground.height, 21);
+}
+
+TEST(FloorCells, WithoutRoomsShowWhatIsKnown) {
+    Rows rows(60, std::string(60, ' '));
+    rows[10][15] = '#';
+    rows[12][18] = '.';
+    const test::DrawnFloor floor = test::drawn_floor(rows, 1, 1.0);
+    const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
+    EXPECT_EQ(cells.ground.width, 6);
+    EXPECT_EQ(cells.ground.height, 5);
+    const test::DrawnFloor blank = test::drawn_floor({"  ", "  "});
+    EXPECT_EQ(sort_floor_cells(blank.map, blank.segmentation.labels).ground.width, 2);
+}
+
+}  // namespace
+}  // namespace quadcut::io

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/image.hpp"
+#include "io/render.hpp"
+#include "io/results.hpp"
+#include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/scratch.hpp"
+
+namespace quadcut::io {
+namespace {
+
+test::DrawnFloor two_rooms() {
+    test::DrawnFloor floor = test::drawn_floor(
+        {"###########", "#aaaa#bbbb#", "#aaaaabbbb#", "#a#aa#bbbb#", "#aaaa#bbbb#", "###########"},
+        10);
+    floor.segmentation.doors.push_back({RoomId{1}, RoomId{2}, {3.0, 1.5}, {3.0, 2.0}, 0.5, 1.0});
+    floor.segmentation.rooms[0].name = "Tom & \"Jerry\" <1>";
+    return floor;
+}
+
+FloorPlan plan_of(const test::DrawnFloor& floor) {
+    const auto pairs = find_near_rooms(floor.map, floor.segmentation);
+    return lay_out_floor_plan(floor.map, floor.segmentation,
+                              room_colors(floor.segmentation, pairs));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+TEST(FloorPlan, IsAWholeNumberOfPixelsACell) {
+    const FloorPlan plan = plan_of(two_rooms());
+    EXPECT_EQ(plan.pixels_per_half_cell, 10.5);  // 110 cells, 2310 pixels.
+    EXPECT_GT(plan.page_width, 2310);
+    EXPECT_LT(plan.page_width, 2400);
+    EXPECT_EQ(plan.rooms.size(), 2U);
+    EXPECT_EQ(plan.labels.size(), 2U);
+    EXPECT_EQ(plan.scale_bar.text, "1 m");
+    EXPECT_NEAR(plan.scale_bar.length, 21.0 * 20, 1e-9);
+}
+
+TEST(FloorPlan, ReachesUnderFurniture) {
+    const FloorPlan plan = plan_of(two_rooms());
+    EXPECT_EQ(plan.rooms[0].rings.size(), 1U);
+    EXPECT_EQ(plan.furniture.size(), 1U);
+    EXPECT_EQ(plan.walls.size(), 2U);  // Around the house, and around its rooms.
+}
+
+TEST(FloorPlan, PutsDoorsOnThePageWhateverTheFrame) {
+    test::DrawnFloor floor = two_rooms();
+    const FloorPlan straight = plan_of(floor);
+    floor.map.map_from_image = {7.0, -3.0, 1.1};
+    Segmentation& turned = floor.segmentation;
+    for (Point* point : {&turned.doors[0].jamb_1, &turned.doors[0].jamb_2}) {
+        *point = transform(floor.map.map_from_image, *point);
+    }
+    for (Room& room : turned.rooms) {
+        room.centroid = transform(floor.map.map_from_image, room.centroid);
+        room.label_point = transform(floor.map.map_from_image, room.label_point);
+    }
+    const FloorPlan same = plan_of(floor);
+    EXPECT_NEAR(straight.doors[0].from.x, same.doors[0].from.x, 1e-6);
+    EXPECT_NEAR(straight.doors[0].to.y, same.doors[0].to.y, 1e-6);
+    EXPECT_NEAR(straight.labels[1].name.anchor.x, same.labels[1].name.anchor.x, 1e-6);
+    EXPECT_NEAR(straight.doors[0].from.x, straight.drawing_origin.x + 60 * 21, 1e-6);
+    EXPECT_NEAR(straight.doors[0].from.y, straight.drawing_origin.y + 30 * 21, 1e-6);
+}
+
+TEST(FloorPlan, OfALargeMapIsSmallerThanIt) {
+    test::DrawnFloor floor = test::drawn_floor({std::string(9000, 'a')});
+    EXPECT_LE(plan_of(floor).page_width, 8400);
+    floor = test::drawn_floor({std::string(3000, 'a')});
+    EXPECT_EQ(plan_of(floor).pixels_per_half_cell, 0.5);
+}
+
+TEST(Svg, HasAPathATooltipAndALabelForEachRoom) {
+    const std::string svg = render_svg(plan_of(two_rooms()));
+    EXPECT_EQ(svg.find("<svg xmlns"), 0U);
+    EXPECT_EQ(count(svg, "<path id=\"room-"), 2U);
+    EXPECT_EQ(count(svg, "<title>Tom &amp; &quot;Jerry&quot; &lt;1&gt;\n4 m\u00B2, room</title>"),
+              1U);
+    EXPECT_EQ(count(svg, ">Room 2</text>"), 1U);
+    EXPECT_EQ(count(svg, "<line id=\"door-1\""), 1U);
+    EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
+    EXPECT_LT(svg.size(), 6000U);
+}
+
+TEST(Svg, WritesRingsAsShortSteps) {
+    const std::string svg = render_svg(plan_of(test::drawn_floor({"aab", "aab"})));
+    EXPECT_NE(svg.find("d=\"M4 4v-4h-4v4z\""), std::string::npos) << svg;
+}
+
+TEST(Svg, LosesWhatXmlCannotSay) {
+    test::DrawnFloor floor = two_rooms();
+    floor.segmentation.rooms[0].name = std::string("a\x01\x1F\xFF") + "z";
+    EXPECT_NE(render_svg(plan_of(floor)).find(">a\uFFFDz<"), std::string::npos);
+}
+
+TEST(Picture, ShowsRoomsWallsAndPaper) {
+    const test::ScratchFolder folder;
+    const FloorPlan plan = plan_of(two_rooms());
+    const Image image = read_image(folder.write("x.png", render_png(plan)));
+    EXPECT_EQ(image.header, (ImageHeader{plan.page_width, plan.page_height, 3, 255}));
+    const auto at = [&](double x, double y) {  // In characters of the drawing, from the top left.
+        const auto px = static_cast<std::size_t>(plan.drawing_origin.x + x * 210);
+        const auto py = static_cast<std::size_t>(plan.drawing_origin.y + y * 210);
+        const std::size_t i = 3 * (py * static_cast<std::size_t>(plan.page_width) + px);
+        return Rgb{static_cast<std::uint8_t>(image.samples[i]),
+                   static_cast<std::uint8_t>(image.samples[i + 1]),
+                   static_cast<std::uint8_t>(image.samples[i + 2])};
+    };
+    EXPECT_EQ(at(0.5, 0.5), kWallInk);
+    EXPECT_EQ(at(1.2, 1.2), plan.rooms[0].color);
+    EXPECT_EQ(at(9.8, 4.8), plan.rooms[1].color);
+    EXPECT_EQ(at(2.5, 3.5), kFurnitureInk);
+    EXPECT_EQ(at(6.0, 2.5), kDoorInk);
+    EXPECT_EQ(at(5.5, 6.15), kPaper);
+}
+
+}  // namespace
+}  // namespace quadcut::io

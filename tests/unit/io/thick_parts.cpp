@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/thick_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "quadcut/base/random.hpp"
+
+namespace quadcut::io {
+namespace {
+
+/// By the definition.
+Raster<std::uint8_t> covered_by_squares(const Raster<std::uint8_t>& mask, std::int32_t side) {
+    Raster<std::uint8_t> result(mask.origin, mask.width, mask.height);
+    const auto is_set = [&](Cell cell) { return !mask.contains(cell) || mask.at(cell) != 0; };
+    for (std::int32_t y = -side; y < mask.height + side; ++y) {
+        for (std::int32_t x = -side; x < mask.width + side; ++x) {
+            bool full = true;
+            for (std::int32_t i = 0; i < side * side; ++i) {
+                const Cell cell{mask.origin.x + x + i % side, mask.origin.y + y + i / side};
+                full = full && is_set(cell);
+            }
+            for (std::int32_t i = 0; full && i < side * side; ++i) {
+                const Cell cell{mask.origin.x + x + i % side, mask.origin.y + y + i / side};
+                if (mask.contains(cell)) result.at(cell) = 1;
+            }
+        }
+    }
+    return result;
+}
+
+TEST(ThickParts, AreThoseThatSquaresCover) {
+    Random random(21);
+    for (int round = 0; round < 100; ++round) {
+        Raster<std::uint8_t> mask({5, -2}, 1 + static_cast<std::int32_t>(random.below(16)),
+                                  1 + static_cast<std::int32_t>(random.below(16)));
+        for (std::uint8_t& cell : mask.values) cell = random.uniform() < 0.85 ? 1 : 0;
+        const auto side = 1 + static_cast<std::int32_t>(random.below(5));
+        EXPECT_EQ(find_thick_parts(mask, side).values, covered_by_squares(mask, side).values)
+            << mask.width << " x " << mask.height << ", side " << side;
+    }
+}
+
+}  // namespace
+}  // namespace quadcut::io
