@@ -3,6 +3,7 @@
 #include "sim/column.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace quadcut::sim {
@@ -94,7 +95,7 @@ void ColumnBuilder::line_rooms() {
         if (is_way || is_small || room.use == RoomUse::cubicle) continue;
         const Frame top{
             part.frame.map({r.x0, r.y1}), part.frame.u, {-part.frame.v.x, -part.frame.v.y}};
-        const auto bays = static_cast<int>(r.width() / pitch + 0.5);
+        const auto bays = static_cast<int>(std::lround(r.width() / pitch));
         for (int i = 1; i < bays; ++i) add(room, top, r.width() * i / bays, width, depth);
     }
 }

@@ -48,7 +48,7 @@ private:
     void bathroom();
 
     [[nodiscard]] int count(double per_m2, int least, int most) const {
-        return std::clamp(static_cast<int>(area_ * per_m2 + 0.5), least, most);
+        return std::clamp(static_cast<int>(std::lround(area_ * per_m2)), least, most);
     }
 
     Furnisher& furnisher_;

@@ -92,7 +92,7 @@ Piece table_piece(const Make& make, double width, double depth, int chairs_a_sid
     Piece piece;
     constexpr double kSeat = 0.5;  // a chair's place on either side of the table
     const Rect top{-0.5 * width, kSeat, 0.5 * width, kSeat + depth};
-    const int bays = std::max(1, static_cast<int>(width / 2.0 + 0.5));
+    const int bays = std::max(1, static_cast<int>(std::lround(width / 2.0)));
     for (int i = 0; i <= bays; ++i) {
         const double x = top.x0 + 0.08 + (width - 0.16) * i / bays;
         piece.posts.push_back({{x, top.y0 + 0.08}, make.leg_radius_m});

@@ -57,9 +57,10 @@ RouteFinder::RouteFinder(const GridMap& world, double radius_m)
 }
 
 Point RouteFinder::point(std::size_t node) const {
-    const auto x = static_cast<double>(node % static_cast<std::size_t>(width_));
-    const auto y = static_cast<double>(node / static_cast<std::size_t>(width_));
-    return {origin_.x + (x + 0.5) * step_m_, origin_.y + (y + 0.5) * step_m_};
+    const auto x = node % static_cast<std::size_t>(width_);
+    const auto y = node / static_cast<std::size_t>(width_);
+    return {origin_.x + (static_cast<double>(x) + 0.5) * step_m_,
+            origin_.y + (static_cast<double>(y) + 0.5) * step_m_};
 }
 
 double RouteFinder::clearance_at(const Point& p) const {
@@ -148,15 +149,17 @@ std::vector<Point> RouteFinder::find(const Pose& start,
         const auto x = static_cast<std::int32_t>(node) % width_;
         const auto y = static_cast<std::int32_t>(node) / width_;
         for (int k = 0; k < 9; ++k) {
-            const std::int32_t i = x + k % 3 - 1;
-            const std::int32_t j = y + k / 3 - 1;
+            const int dx = k % 3 - 1;
+            const int dy = k / 3 - 1;
+            const std::int32_t i = x + dx;
+            const std::int32_t j = y + dy;
             if (k == 4 || i < 0 || j < 0 || i >= width_ || j >= height_) continue;
             const auto next = static_cast<std::uint32_t>(j * width_ + i);
             if (price_[next] == 0.0F) continue;
             const float length = k % 2 == 0 ? 1.41421356F : 1.0F;
             float turn = 0.0F;
             if (static_cast<std::int64_t>(node) == first) {
-                const double way = std::atan2(k / 3 - 1, k % 3 - 1);
+                const double way = std::atan2(dy, dx);
                 turn = static_cast<float>(
                     kTurnPrice * std::abs(std::remainder(way - start.yaw_rad, 2.0 * M_PI)) /
                     step_m_);

@@ -64,8 +64,7 @@ class StripFiller {
 public:
     StripFiller(Plan& plan, const Strip& strip, std::size_t corridor, const WingStyle& style,
                 Trade trade, Random& random)
-        : plan_(plan),
-          strip_(strip),
+        : strip_(strip),
           style_(style),
           trade_(trade),
           random_(random),
@@ -85,7 +84,6 @@ private:
     void build(const Offer& offer);
     void build_room();
 
-    Plan& plan_;
     const Strip& strip_;
     const WingStyle& style_;
     Trade trade_;

@@ -116,7 +116,7 @@ TEST(Building, HasAboutAsManyRoomsAsWished) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const Building building = generate_building(options(seed, wish, 0.0));
             const auto rooms = static_cast<int>(building.rooms.size());
-            EXPECT_NEAR(rooms, wish, 1 + wish / 8) << seed;
+            EXPECT_NEAR(rooms, wish, 1.0 + 0.125 * wish) << seed;
             EXPECT_GE(building.doors.size(), building.rooms.size() - 1);
             for (std::size_t i = 0; i < building.rooms.size(); ++i) {
                 const TrueRoom& room = building.rooms[i];
