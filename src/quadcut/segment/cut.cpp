@@ -49,13 +49,16 @@ Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
     if (options.num_pieces != 0) {
         KMeansOptions k_means;
         k_means.seed = options.seed;
-        clusters =
-            cluster_k_means(embed(pairs, options.num_pieces), options.num_pieces, k_means, executor)
-                .clustering;
+        clusters = cluster_k_means(embed(pairs, options.num_pieces, options.row_scaling),
+                                   options.num_pieces, k_means, executor)
+                       .clustering;
     } else {
         ChooseOptions choose;
         choose.max_clusters = options.max_pieces;
+        choose.scaling = options.row_scaling;
         choose.accept_score = options.min_silhouette;
+        choose.max_attempts = 2;
+        choose.k_means.num_starts = 3;
         choose.k_means.seed = options.seed;
         clusters = choose_num_clusters(pairs, choose, executor).clustering;
     }

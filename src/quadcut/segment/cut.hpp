@@ -10,6 +10,7 @@
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/graph/graph.hpp"
 #include "quadcut/segment/segmentation.hpp"
+#include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
@@ -28,6 +29,7 @@ struct CutOptions {
     std::size_t num_pieces = 0;
     std::size_t max_pieces = 30;
     double min_silhouette = 0.4;
+    RowScaling row_scaling = RowScaling::none;
     std::uint64_t seed = 1;
 };
 

@@ -37,6 +37,9 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.min_room", "m^2", 0.0, 1e6,
                       "smaller regions join the neighbour with the widest opening", "",
                       &rooms.min_room_m2});
+    fields.push_back({"rooms.min_passable", "m", 0.0, 100.0,
+                      "free space that is nowhere as wide as this is no room", "",
+                      &rooms.min_passable_m});
 }
 
 void add_paper_fields(PaperOptions& paper, std::vector<OptionField>& fields) {
@@ -50,12 +53,17 @@ void add_paper_fields(PaperOptions& paper, std::vector<OptionField>& fields) {
                       &paper.min_silhouette});
     fields.push_back({"paper.laplacian", "", 0, 0, "normalisation of the Laplacian", "eq. (4)",
                       choice(paper.laplacian, {"degree", "unweighted", "area"})});
+    fields.push_back({"paper.row_scaling", "", 0, 0, "scaling of the samples before k-means",
+                      "eq. (6)", choice(paper.row_scaling, {"none", "unit_length"})});
     fields.push_back({"paper.self_loops", "", 0, 0, "relevance of a node to itself", "rule 1",
                       choice(paper.self_loops, {"none", "own_weight", "largest_weight"})});
     fields.push_back({"paper.components", "", 0, 0, "how connected components are found", "",
                       choice(paper.component_search, {"traversal", "null_space"})});
     fields.push_back({"paper.min_component", "m^2", 0.0, 1e6,
                       "smaller connected components are dropped", "", &paper.min_component_m2});
+    fields.push_back({"paper.min_leaf", "m", 0.0, 100.0,
+                      "connected components without a leaf as large as this are dropped: slivers",
+                      "", &paper.min_leaf_m});
     fields.push_back({"paper.min_submap", "m^2", 0.0, 1e6,
                       "smaller submaps are fused with the most related neighbour", "eq. (11)",
                       &paper.min_submap_m2});

@@ -8,6 +8,7 @@
 
 #include "quadcut/base/option_field.hpp"
 #include "quadcut/graph/visibility.hpp"
+#include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
@@ -27,6 +28,7 @@ struct RoomsOptions {
     double max_eigenvalue_per_m2 = 0.8;
     double full_clearance_m = 1.5;
     double min_room_m2 = 1.5;
+    double min_passable_m = 0.4;
 };
 
 /// The preset `paper`.
@@ -34,15 +36,17 @@ struct PaperOptions {
     /// 0: chosen by silhouette.
     std::size_t num_submaps = 0;
     std::size_t max_submaps = 30;
-    double min_silhouette = 0.4;
+    double min_silhouette = 0.25;
     LaplacianKind laplacian = LaplacianKind::degree;
+    RowScaling row_scaling = RowScaling::none;
     SelfLoops self_loops = SelfLoops::own_weight;
     ComponentSearch component_search = ComponentSearch::traversal;
     double min_component_m2 = 1.0;
+    double min_leaf_m = 0.2;
     double min_submap_m2 = 4.0;
-    double max_submap_m2 = 400.0;
-    std::size_t max_route_edges = 60;
-    double min_relation_per_m = 1.0;
+    double max_submap_m2 = 60.0;
+    std::size_t max_route_edges = 40;
+    double min_relation_per_m = 0.5;
 };
 
 struct SegmentOptions {

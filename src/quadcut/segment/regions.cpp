@@ -100,6 +100,19 @@ void connect_regions(Raster<std::uint32_t>& labels) {
     }
 }
 
+void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
+                     double min_width_m) {
+    std::vector<float> widest;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint32_t label = labels.values[i];
+        if (label >= widest.size()) widest.resize(label + std::size_t{1}, 0.0F);
+        widest[label] = std::max(widest[label], 2.0F * clearance_m.values[i]);
+    }
+    for (std::uint32_t& label : labels.values) {
+        if (static_cast<double>(widest[label]) < min_width_m) label = 0;
+    }
+}
+
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2) {
     const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));

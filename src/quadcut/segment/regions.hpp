@@ -13,6 +13,10 @@ namespace quadcut {
 /// no other label are removed. O(cells).
 void connect_regions(Raster<std::uint32_t>& labels);
 
+/// Removes regions that are nowhere `min_width_m` wide: no robot fits. O(cells).
+void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
+                     double min_width_m);
+
 /// Gives free pockets that are too small to be rooms to the room around them: the free inside of a
 /// cupboard, bin or table that is drawn as an outline. A pocket counts when at least a quarter of
 /// its border lies behind an outline at most 0.1 m thick from one room; the outline between goes to

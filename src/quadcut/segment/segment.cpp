@@ -126,6 +126,7 @@ Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std:
         fuse(snapped.labels, snapped.count, clearance, map.resolution_m, fuse_options);
     // 6. Rooms are connected, and what is enclosed by furniture belongs to the room around it.
     connect_regions(rooms.labels);
+    drop_impassable(rooms.labels, clearance, options.min_passable_m);
     adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m,
                   options.min_component_m2);
 
@@ -143,14 +144,23 @@ std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
         options.component_search == ComponentSearch::traversal
             ? connected_components(graph)
             : components_from_null_space(graph, options.laplacian);
-    std::vector<double> area_m2;
+    const std::size_t count =
+        component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
+    std::vector<double> area_m2(count, 0.0);
+    std::vector<double> largest_leaf_m2(count, 0.0);
     for (std::size_t node = 0; node < component.size(); ++node) {
-        if (component[node] >= area_m2.size()) area_m2.resize(component[node] + 1, 0.0);
         area_m2[component[node]] += graph.area_m2[node];
+        double& largest = largest_leaf_m2[component[node]];
+        largest = std::max(largest, graph.area_m2[node]);
     }
+    // Departs from the paper: a long thin sliver, as scans leave along walls, is large enough but
+    // no place. Each would take one of the smallest eigenvectors away from the building.
     std::vector<std::uint32_t> nodes;
     for (std::uint32_t node = 0; node < component.size(); ++node) {
-        if (area_m2[component[node]] >= options.min_component_m2) nodes.push_back(node);
+        if (area_m2[component[node]] >= options.min_component_m2 &&
+            largest_leaf_m2[component[node]] >= options.min_leaf_m * options.min_leaf_m) {
+            nodes.push_back(node);
+        }
     }
     return nodes;
 }
@@ -199,6 +209,7 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     cut_options.num_pieces = options.num_submaps;
     cut_options.max_pieces = options.max_submaps;
     cut_options.min_silhouette = options.min_silhouette;
+    cut_options.row_scaling = options.row_scaling;
     cut_options.seed = seed;
     Pieces pieces = cut(region, cut_options, clock, executor);
     result.report.eigen = pieces.eigen;

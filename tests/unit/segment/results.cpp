@@ -85,6 +85,14 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";
 }
 
+TEST(Regions, WhereNoRobotFitsIsNoRoom) {
+    Raster<std::uint32_t> labels = drawn_labels({"aa.b", "aa.b"});
+    Raster<float> clearance({0, 0}, 4, 2, 0.1F);
+    clearance.at({1, 0}) = 0.3F;
+    drop_impassable(labels, clearance, 0.5);
+    EXPECT_EQ(as_drawing(labels), (Rows{"aa..", "aa.."}));
+}
+
 TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     // Two rooms of 4 x 6 m; doors of 0.8 m and 1.2 m in the wall between.
     GridMap map;
