@@ -64,31 +64,27 @@ public:
         VectorXd residuals;
     };
 
-    BlockLanczos(const ShiftedFactor& factor, const MatrixXd& deflated, Random& random)
+    /// Begins with the columns of `first`, and random ones to fill the block. At most `capacity`
+    /// vectors are made. Everything stays orthogonal to `deflated`, which is orthonormal.
+    BlockLanczos(const ShiftedFactor& factor, const MatrixXd& deflated, const MatrixXd& first,
+                 Index capacity, Random& random)
         : factor_(factor),
-          deflated_(deflated),
           random_(random),
-          num_dims_(deflated.rows() - deflated.cols()) {}
-
-    /// Begins with the columns of `first`, and random ones to fill the block. The basis will not
-    /// grow beyond `capacity`.
-    void start(const MatrixXd& first, Index capacity) {
-        basis_.resize(deflated_.rows(), std::min(capacity, num_dims_));
-        projected_ = MatrixXd::Zero(basis_.cols(), basis_.cols());
-        num_basis_ = 0;
-        next_ = MatrixXd::Zero(deflated_.rows(), std::min(kBlock, basis_.cols()));
+          num_deflated_(deflated.cols()),
+          num_dims_(deflated.rows() - deflated.cols()),
+          all_(deflated.rows(), num_deflated_ + std::min(capacity, num_dims_)),
+          projected_(MatrixXd::Zero(all_.cols() - num_deflated_, all_.cols() - num_deflated_)),
+          next_(MatrixXd::Zero(deflated.rows(), std::min(kBlock, projected_.cols()))) {
+        all_.leftCols(num_deflated_) = deflated;
         const Index given = std::min(first.cols(), next_.cols());
         next_.leftCols(given) = first.leftCols(given);
-        orthogonalize(deflated_, next_);
-        orthogonalize(deflated_, next_);
         orthonormalize_next(VectorXd::Ones(next_.cols()));
     }
 
     /// Appends the next block to the basis and makes the one after it. False if there is no room.
     bool step() {
         const Index width = next_.cols();
-        if (width == 0 || num_basis_ + width > basis_.cols()) return false;
-        basis_.middleCols(num_basis_, width) = next_;
+        if (width == 0 || num_basis_ + width > projected_.cols()) return false;
         MatrixXd image = apply_inverse(next_);
         const VectorXd lengths = image.colwise().norm();
         // The three-term recurrence takes out what is large; rounding errors are left for later.
@@ -99,10 +95,12 @@ public:
         if (num_basis_ > 0) {
             const Index before = coupling_.cols();
             const Index begin = num_basis_ - before;
-            image.noalias() -= basis_.middleCols(begin, before).lazyProduct(coupling_.transpose());
+            image.noalias() -=
+                all_.middleCols(num_deflated_ + begin, before).lazyProduct(coupling_.transpose());
             projected_.block(num_basis_, begin, width, before) = coupling_;
             projected_.block(begin, num_basis_, before, width) = coupling_.transpose();
         }
+        all_.middleCols(num_deflated_ + num_basis_, width) = next_;
         num_basis_ += width;
         next_ = std::move(image);
         orthonormalize_next(lengths);
@@ -130,7 +128,7 @@ public:
             coordinates.col(i) = ritz.coordinates.col(j);
             beyond.col(i) = coupling_ * coordinates.col(i).tail(coupling_.cols()) / ritz.thetas[j];
         }
-        MatrixXd result = basis_.leftCols(num_basis_) * coordinates;
+        MatrixXd result = all_.middleCols(num_deflated_, num_basis_) * coordinates;
         result.noalias() += next_ * beyond;
         return result;
     }
@@ -142,21 +140,19 @@ private:
         RowMajorMatrix rows = RowMajorMatrix::Zero(block.rows(), kBlock);
         rows.leftCols(block.cols()) = block;
         factor_.solve({rows.data(), static_cast<std::size_t>(rows.size())}, kBlock);
-        MatrixXd result = rows.leftCols(block.cols());
-        orthogonalize(deflated_, result);
-        return result;
+        return rows.leftCols(block.cols());
     }
 
     /// Makes next_ orthonormal, and orthogonal to all before it. `lengths`: of its columns before
     /// anything was taken out. A column without a direction of its own gets a random one that is
     /// not coupled. next_ is cut to the number of dimensions left.
     void orthonormalize_next(const VectorXd& lengths) {
-        const Index width = std::min(next_.cols(), num_dims_ - num_basis_);
-        const Index last = next_.cols();
-        const auto basis = basis_.leftCols(num_basis_);
+        const auto basis = all_.leftCols(num_deflated_ + num_basis_);
         orthogonalize(basis, next_);
-        coupling_ = MatrixXd::Zero(last, last);
-        for (Index j = 0; j < last; ++j) {
+        const Index count = next_.cols();
+        const Index width = std::min(count, num_dims_ - num_basis_);
+        coupling_ = MatrixXd::Zero(count, count);
+        for (Index j = 0; j < count; ++j) {
             auto column = next_.col(j);
             const Index num_before = std::min(j, width);
             const auto before = next_.leftCols(num_before);
@@ -168,41 +164,32 @@ private:
             if (j >= width) continue;
             const double length = column.norm();
             if (length <= kDependent * lengths[j]) {
-                replace_by_random(j);
-                continue;
+                for (double& value : column) value = random_.uniform(-1.0, 1.0);
+                column.normalize();
+            } else {
+                coupling_(j, j) = length;
+                column /= length;
             }
-            if (length < kShrunk * lengths[j]) {
-                orthogonalize(deflated_, column);
+            if (length > kShrunk * lengths[j]) continue;
+            for (int pass = 0; pass < 2; ++pass) {
                 orthogonalize(basis, column);
                 orthogonalize(before, column);
+                column.normalize();
             }
-            coupling_(j, j) = column.norm();
-            column.normalize();
         }
         next_.conservativeResize(Eigen::NoChange, width);
         coupling_.conservativeResize(width, Eigen::NoChange);
     }
 
-    void replace_by_random(Index j) {
-        auto column = next_.col(j);
-        for (double& value : column) value = random_.uniform(-1.0, 1.0);
-        column.normalize();
-        for (int pass = 0; pass < 2; ++pass) {
-            orthogonalize(deflated_, column);
-            orthogonalize(basis_.leftCols(num_basis_), column);
-            orthogonalize(next_.leftCols(j), column);
-            column.normalize();
-        }
-    }
-
     const ShiftedFactor& factor_;
-    const MatrixXd& deflated_;
     Random& random_;
+    Index num_deflated_;
     /// Dimensions of the complement.
     Index num_dims_;
-    MatrixXd basis_;
-    MatrixXd projected_;
+    /// What is deflated, then the basis.
+    MatrixXd all_;
     Index num_basis_ = 0;
+    MatrixXd projected_;
     MatrixXd next_;
     /// A basis = basis projected + next_ coupling_ (on the last columns of the basis).
     MatrixXd coupling_;
@@ -257,8 +244,8 @@ SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& sl
     while (values.size() < slice.num_wanted && locked.cols() < size && num_barren < kMaxBarren) {
         const Index missing = static_cast<Index>(slice.num_wanted - values.size());
         const Index aim = std::min(missing, kMaxAim);
-        BlockLanczos lanczos(factor, locked, random);
-        lanczos.start(first, 3 * aim + (10 + 10 * num_barren) * kBlock);
+        BlockLanczos lanczos(factor, locked, first, 3 * aim + (10 + 10 * num_barren) * kBlock,
+                             random);
         BlockLanczos::Ritz ritz;
         Sorted sorted;
         Index next_check = aim + aim / 4 + 2 * kBlock;
