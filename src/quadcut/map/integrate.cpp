@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -39,28 +40,60 @@ BeamLimits limits_in_cells(const OccupancyMap& map, const IntegrateOptions& opti
     return {usable_range, options.widest_gap_m / map.resolution_m(), options.margin_cells};
 }
 
+// How far along the line, 0 .. 1, the first wall stands that the map is sure of; nothing if none.
+std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from, const Point& to,
+                                      int sure) {
+    std::optional<double> wall;
+    const auto at = [&](double t) {
+        return Point{from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t};
+    };
+    const auto search = [&](double begin, double end) {
+        walk_line(at(begin), at(end), [&](Cell cell, double t) {
+            if (map.log_odds(cell) >= sure) {
+                wall = begin + t * (end - begin);
+            }
+            return !wall;
+        });
+    };
+    // Tile by tile first: most of a beam's way leads through blocks that are plainly free.
+    double stretch = 2.0;  // where the stretch that is not began; beyond the end: nowhere
+    walk_line({from.x / kTileSide, from.y / kTileSide}, {to.x / kTileSide, to.y / kTileSide},
+              [&](Cell tile, double t) {
+                  const bool is_plain =
+                      map.is_uniform_tile(tile) && map.tile(tile).values.front() < sure;
+                  if (!is_plain) {
+                      stretch = std::min(stretch, t);
+                  } else if (stretch < 1.0) {
+                      search(stretch, std::min(t, 1.0));
+                      stretch = 2.0;
+                  }
+                  return !wall;
+              });
+    if (!wall && stretch < 1.0) {
+        search(stretch, 1.0);
+    }
+    return wall;
+}
+
 // Ends beams before the walls that the map is sure of.
 void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Point& sensor,
                    const IntegrateOptions& options) {
     const double first = options.trusted_range_m / map.resolution_m();
     const double tolerance = options.wall_tolerance_m / map.resolution_m();
     for (Beam& beam : beams) {
-        const double length = beam.range - tolerance - first;
-        if (length <= 0.0) {
+        const double last = beam.range - tolerance;
+        if (last <= first) {
             continue;
         }
         const auto at = [&](double distance) {
             return Point{sensor.x + beam.direction.x * distance,
                          sensor.y + beam.direction.y * distance};
         };
-        walk_line(at(first), at(first + length), [&](Cell cell, double t) {
-            if (map.log_odds(cell) < options.sure) {
-                return true;
-            }
-            beam.reach = std::clamp(first + t * length - options.margin_cells, 0.0, beam.reach);
+        if (const auto t = first_sure_wall(map, at(first), at(last), options.sure)) {
+            const double distance = first + *t * (last - first);
+            beam.reach = std::clamp(distance - options.margin_cells, 0.0, beam.reach);
             beam.hits = false;
-            return false;
-        });
+        }
     }
 }
 
