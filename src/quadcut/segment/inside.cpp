@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
-#include "quadcut/map/flood.hpp"
+#include "quadcut/map/components.hpp"
 
 namespace quadcut {
 Raster<std::uint8_t> mask_of(const GridMap& map, CellState state) {
@@ -33,37 +34,17 @@ std::vector<Cell> visited_cells(const GridMap& map, std::span<const Point> traje
 
 Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
                             double min_area_m2) {
-    const Raster<std::uint8_t> free = mask_of(map, CellState::free);
-    Raster<std::uint8_t> kept(free.origin, free.width, free.height);
-    std::vector<bool> is_visited(free.values.size(), false);
-    for (const Cell cell : visited_cells(map, trajectory)) is_visited[free.offset(cell)] = true;
-    const auto min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
-    const std::int64_t num_edge_cells = 2 * (std::int64_t{free.width} + free.height) - 4;
-    std::vector<bool> seen(free.values.size(), false);
-    std::vector<std::size_t> outside;
-    bool is_empty = true;
-    for (std::size_t seed = 0; seed < free.values.size(); ++seed) {
-        if (free.values[seed] == 0 || seen[seed]) continue;
-        std::vector<std::size_t> component =
-            flood(free, seed, seen, Connectivity::four,
-                  [&](std::size_t cell) { return free.values[cell] != 0; });
-        if (static_cast<double>(component.size()) < min_cells) continue;
-        const auto num_on_edge =
-            std::count_if(component.begin(), component.end(),
-                          [&](std::size_t cell) { return is_on_edge(free, cell); });
-        const bool entered = std::any_of(component.begin(), component.end(),
-                                         [&](std::size_t cell) { return is_visited[cell]; });
-        if (2 * num_on_edge > num_edge_cells && !entered) {
-            outside = std::move(component);
-            continue;
-        }
-        is_empty = false;
-        for (const std::size_t cell : component) kept.values[cell] = 1;
+    const FreeComponents free = find_free_components(map.states);
+    const double min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
+    std::vector<bool> kept;
+    for (const FreeComponents::Component& component : free.components) {
+        kept.push_back(static_cast<double>(component.num_cells) >= min_cells);
     }
-    if (is_empty) {
-        for (const std::size_t cell : outside) kept.values[cell] = 1;
+    const auto outside = find_outside(free, static_cast<std::size_t>(std::ceil(min_cells)));
+    if (outside && !components_with(free, visited_cells(map, trajectory))[*outside]) {
+        kept[*outside] = false;
     }
-    return kept;
+    return mask_of(free, kept);
 }
 
 }  // namespace quadcut
