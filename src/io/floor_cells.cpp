@@ -243,6 +243,19 @@ void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
     }
 }
 
+/// Of solid blocks, and of maps whose outside is occupied, a wall's thickness is drawn.
+void hollow_out_blocks(Raster<std::uint32_t>& ground, std::int32_t max_wall_cells) {
+    Raster<std::uint8_t> is_wall(ground.origin, ground.width, ground.height);
+    std::transform(ground.values.begin(), ground.values.end(), is_wall.values.begin(),
+                   [](std::uint32_t cell) { return cell == kWall ? 1 : 0; });
+    const Raster<std::uint8_t> thick = find_thick_parts(is_wall, 2 * max_wall_cells);
+    if (std::find(thick.values.begin(), thick.values.end(), 1) == thick.values.end()) return;
+    const Raster<std::uint8_t> deep = find_deep_parts(thick, std::max(max_wall_cells / 2, 1));
+    for (std::size_t i = 0; i < ground.values.size(); ++i) {
+        if (deep.values[i] != 0) ground.values[i] = 0;
+    }
+}
+
 /// A thin part whose sides are occupied rather than rooms is the inside of a wall, and a speck
 /// beside one belongs to it. The others may be gaps between the beams of a laser.
 void fill_walls(Raster<std::uint32_t>& ground) {
@@ -263,9 +276,11 @@ FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& lab
     FloorCells cells = classify(map, labels);
     const std::int32_t max_furniture_cells = to_cells(kMaxFurnitureMetres, map.resolution_m);
     FurnitureFinder(cells, max_furniture_cells).run();
-    mark_hidden_cells(cells, std::min(to_cells(kMaxWallMetres, map.resolution_m), kMaxWallCells),
-                      max_furniture_cells);
+    const std::int32_t max_wall_cells =
+        std::min(to_cells(kMaxWallMetres, map.resolution_m), kMaxWallCells);
+    mark_hidden_cells(cells, max_wall_cells, max_furniture_cells);
     fill_walls(cells.ground);
+    hollow_out_blocks(cells.ground, std::max(max_wall_cells, 2));
     return cells;
 }
 

@@ -16,7 +16,7 @@ namespace quadcut::io {
 namespace {
 
 constexpr double kLongPage = 2400.0;
-constexpr double kLongestPage = 8192.0;
+constexpr double kLongestPage = 8000.0;  // With the margins it is 8192 at most.
 /// The page on which lines and letters have their nominal sizes.
 constexpr double kNominalPage = 2000.0;
 
@@ -25,6 +25,14 @@ struct Layout {
     /// Scales line widths and letters.
     double unit = 1.0;
 };
+
+/// Few rooms leave space for larger letters.
+double letter_scale(std::size_t num_rooms) {
+    constexpr double kManyRooms = 24.0;
+    constexpr double kLargest = 1.5;
+    const double rooms = std::max<double>(static_cast<double>(num_rooms), 1.0);
+    return std::clamp(std::sqrt(std::sqrt(kManyRooms / rooms)), 1.0, kLargest);
+}
 
 /// Sets the page's size, and where cells come to lie on it.
 Layout set_page(const Raster<std::uint32_t>& ground, FloorPlan& plan) {
@@ -98,7 +106,7 @@ ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resol
     ScaleBar bar;
     bar.length = length_m * pixels_per_metre;
     bar.height = std::round(5.0 * layout.unit);
-    bar.text_size = 15.0 * layout.unit;
+    bar.text_size = 18.0 * layout.unit;
     bar.text = rounded(length_m) + " m";
     bar.origin = {plan.drawing_origin.x, plan.page_height - plan.drawing_origin.x};
     return bar;
@@ -165,11 +173,12 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   rounded(door.width_m, 2) + " m"});
     }
     const Typeface typeface;
+    const double letter_unit = layout.unit * letter_scale(segmentation.rooms.size());
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
         const LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name,
                              plan.rooms[i].area, cells_from_map(segmentation.rooms[i].label_point),
                              cells_from_map(segmentation.rooms[i].centroid)};
-        if (auto label = place_label(text, cells.ground, layout.scale, layout.unit, typeface)) {
+        if (auto label = place_label(text, cells.ground, layout.scale, letter_unit, typeface)) {
             plan.labels.push_back(std::move(*label));
         }
     }

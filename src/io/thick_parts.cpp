@@ -42,27 +42,47 @@ void fill_squares(Raster<std::uint8_t>& ends, std::int32_t side) {
     }
 }
 
+/// The mask with a border of `margin` set cells above and to the right. (On the lower and left
+/// border keep_square_ends does as if they were there.)
+Raster<std::uint8_t> widened(const Raster<std::uint8_t>& mask, std::int32_t margin) {
+    Raster<std::uint8_t> wide(mask.origin, mask.width + margin, mask.height + margin, 1);
+    for (std::int32_t y = 0; y < mask.height; ++y) {
+        const Cell first{mask.origin.x, mask.origin.y + y};
+        std::copy_n(mask.values.begin() + static_cast<std::ptrdiff_t>(mask.offset(first)),
+                    mask.width,
+                    wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(first)));
+    }
+    return wide;
+}
+
+/// The part of `wide` that begins `shift` cells above and to the right of its first cell.
+Raster<std::uint8_t> cropped(const Raster<std::uint8_t>& wide, std::int32_t width,
+                             std::int32_t height, std::int32_t shift) {
+    Raster<std::uint8_t> result(wide.origin, width, height);
+    for (std::int32_t y = 0; y < height; ++y) {
+        const Cell from{wide.origin.x + shift, wide.origin.y + y + shift};
+        const Cell to{wide.origin.x, wide.origin.y + y};
+        std::copy_n(wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(from)), width,
+                    result.values.begin() + static_cast<std::ptrdiff_t>(result.offset(to)));
+    }
+    return result;
+}
+
 }  // namespace
 
 Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask, std::int32_t side_cells) {
-    // Squares may reach over the upper and right border: one side's length of set cells is added.
-    // On the lower and left border keep_square_ends does as if they were there.
     const std::int32_t side = std::max(side_cells, 1);
-    Raster<std::uint8_t> wide(mask.origin, mask.width + side, mask.height + side, 1);
-    const auto copy_rows = [&](const auto& from, auto& to) {
-        for (std::int32_t y = 0; y < mask.height; ++y) {
-            const Cell first{mask.origin.x, mask.origin.y + y};
-            std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(from.offset(first)),
-                        mask.width,
-                        to.values.begin() + static_cast<std::ptrdiff_t>(to.offset(first)));
-        }
-    };
-    copy_rows(mask, wide);
+    Raster<std::uint8_t> wide = widened(mask, side);
     keep_square_ends(wide, side);
     fill_squares(wide, side);
-    Raster<std::uint8_t> thick(mask.origin, mask.width, mask.height);
-    copy_rows(wide, thick);
-    return thick;
+    return cropped(wide, mask.width, mask.height, 0);
+}
+
+Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int32_t margin_cells) {
+    const std::int32_t margin = std::max(margin_cells, 0);
+    Raster<std::uint8_t> wide = widened(mask, margin);
+    keep_square_ends(wide, 2 * margin + 1);
+    return cropped(wide, mask.width, mask.height, margin);
 }
 
 }  // namespace quadcut::io

@@ -13,4 +13,9 @@ namespace quadcut::io {
 [[nodiscard]] Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask,
                                                     std::int32_t side_cells);
 
+/// The cells around which a square of 2 * margin_cells + 1 cells a side is all set (an erosion).
+/// What is outside of the raster counts as set. O(cells), whatever the margin.
+[[nodiscard]] Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask,
+                                                   std::int32_t margin_cells);
+
 }  // namespace quadcut::io

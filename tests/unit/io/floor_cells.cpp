@@ -66,6 +66,18 @@ TEST(FloorCells, ThinUnknownBetweenRoomsIsMarked) {
               (Rows{"aaaa+bbbb", "aaaa+bbbb"}));
 }
 
+TEST(FloorCells, HollowOutSolidBlocks) {
+    Rows rows(40, std::string(40, '#'));
+    rows[20] = std::string(20, '#') + "aaa" + std::string(17, '#');
+    const Rows drawn = sorted(test::drawn_floor(rows, 1, 0.1));
+    // Two cells of wall around the room, then paper.
+    EXPECT_EQ(drawn[8], "        #######        ");
+    EXPECT_EQ(drawn[9], "        #######        ");
+    EXPECT_EQ(drawn[10], "        ##aaa##        ");
+    EXPECT_EQ(drawn[11], "        #######        ");
+    EXPECT_EQ(drawn[13], std::string(23, ' '));
+}
+
 TEST(FloorCells, KeepAMetreAroundTheRooms) {
     const Rows empty(60, std::string(60, ' '));
     Rows rows = empty;

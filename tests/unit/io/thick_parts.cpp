@@ -41,5 +41,27 @@ TEST(ThickParts, AreThoseThatSquaresCover) {
     }
 }
 
+TEST(ThickParts, DeepOnesHaveAMarginAllAround) {
+    Random random(22);
+    for (int round = 0; round < 100; ++round) {
+        Raster<std::uint8_t> mask({5, -2}, 1 + static_cast<std::int32_t>(random.below(16)),
+                                  1 + static_cast<std::int32_t>(random.below(16)));
+        for (std::uint8_t& cell : mask.values) cell = random.uniform() < 0.9 ? 1 : 0;
+        const auto margin = static_cast<std::int32_t>(random.below(4));
+        const Raster<std::uint8_t> deep = find_deep_parts(mask, margin);
+        for (std::size_t i = 0; i < mask.values.size(); ++i) {
+            const Cell cell = mask.cell(i);
+            bool expected = true;
+            for (std::int32_t dy = -margin; dy <= margin; ++dy) {
+                for (std::int32_t dx = -margin; dx <= margin; ++dx) {
+                    const Cell near{cell.x + dx, cell.y + dy};
+                    expected = expected && (!mask.contains(near) || mask.at(near) != 0);
+                }
+            }
+            EXPECT_EQ(deep.values[i], expected ? 1 : 0);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace quadcut::io
