@@ -287,7 +287,7 @@ void replay(Structure& structure, const std::vector<std::vector<TileEvidence>>& 
                 if (hit || (one.miss >> i & 1) != 0) {
                     const Cell cell{one.tile.x * 8 + i % 8, one.tile.y * 8 + i / 8};
                     const int before = structure.log_odds(cell);
-                    const int after = bounded_sum(before, hit ? options.hit : options.miss);
+                    const int after{bounded_sum(before, hit ? options.hit : options.miss)};
                     if (after != before) {
                         structure.set(cell, after);
                     }

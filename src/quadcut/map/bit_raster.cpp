@@ -13,15 +13,11 @@ BitRaster::BitRaster(Cell low, Cell high) {
 }
 
 void BitRaster::set(Cell cell) {
-    if (contains(cell)) {
-        words_[word(cell)] |= bit(cell);
-    }
+    if (contains(cell)) words_[word(cell)] |= bit(cell);
 }
 
 void BitRaster::flip(Cell cell) {
-    if (contains(cell)) {
-        words_[word(cell)] ^= bit(cell);
-    }
+    if (contains(cell)) words_[word(cell)] ^= bit(cell);
 }
 
 bool BitRaster::test(Cell cell) const {
@@ -33,9 +29,7 @@ void BitRaster::accumulate_parity() {
         std::uint64_t carry = 0;
         for (std::size_t i = row; i < row + words_per_row_; ++i) {
             std::uint64_t parity = words_[i];
-            for (int shift = 1; shift < 64; shift *= 2) {
-                parity ^= parity << shift;
-            }
+            for (int shift = 1; shift < 64; shift *= 2) parity ^= parity << shift;
             words_[i] = parity ^ carry;
             carry = std::uint64_t{0} - (words_[i] >> 63);
         }
@@ -43,9 +37,7 @@ void BitRaster::accumulate_parity() {
 }
 
 void BitRaster::add(const BitRaster& other) {
-    for (std::size_t i = 0; i < words_.size(); ++i) {
-        words_[i] |= other.words_[i];
-    }
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
 }
 
 std::uint64_t BitRaster::tile_rows(std::int32_t tile_x, std::int32_t tile_y) const {

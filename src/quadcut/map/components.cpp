@@ -23,18 +23,12 @@ public:
         first_of_row_ = previous_end;
         std::size_t above = previous_first;
         for (std::int32_t x = 0; x < width; ++x) {
-            if (row[x] != CellState::free) {
-                continue;
-            }
+            if (row[x] != CellState::free) continue;
             const auto id = static_cast<std::uint32_t>(runs_.size());
             const std::int32_t first = x;
-            while (x < width && row[x] == CellState::free) {
-                ++x;
-            }
+            while (x < width && row[x] == CellState::free) ++x;
             runs_.push_back({first, x, id});
-            while (above < previous_end && runs_[above].end_x <= first) {
-                ++above;
-            }
+            while (above < previous_end && runs_[above].end_x <= first) ++above;
             // The last run that touches this one may touch the next one, too.
             for (std::size_t i = above; i < previous_end && runs_[i].first_x < x; ++i) {
                 join(static_cast<std::uint32_t>(i), id);
@@ -122,9 +116,7 @@ std::vector<bool> components_with(const FreeComponents& free, std::span<const Ce
     std::vector<bool> found(free.components.size(), false);
     for (const Cell& cell : cells) {
         const std::uint32_t label = free.labels.contains(cell) ? free.labels.at(cell) : 0;
-        if (label != 0) {
-            found[label - 1] = true;
-        }
+        if (label != 0) found[label - 1] = true;
     }
     return found;
 }

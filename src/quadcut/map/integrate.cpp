@@ -49,9 +49,7 @@ std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from
     };
     const auto search = [&](double begin, double end) {
         walk_line(at(begin), at(end), [&](Cell cell, double t) {
-            if (map.log_odds(cell) >= sure) {
-                wall = begin + t * (end - begin);
-            }
+            if (map.log_odds(cell) >= sure) wall = begin + t * (end - begin);
             return !wall;
         });
     };
@@ -69,9 +67,7 @@ std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from
                   }
                   return !wall;
               });
-    if (!wall && stretch < 1.0) {
-        search(stretch, 1.0);
-    }
+    if (!wall && stretch < 1.0) search(stretch, 1.0);
     return wall;
 }
 
@@ -82,9 +78,7 @@ void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Poin
     const double tolerance = options.wall_tolerance_m / map.resolution_m();
     for (Beam& beam : beams) {
         const double last = beam.range - tolerance;
-        if (last <= first) {
-            continue;
-        }
+        if (last <= first) continue;
         const auto at = [&](double distance) {
             return Point{sensor.x + beam.direction.x * distance,
                          sensor.y + beam.direction.y * distance};
@@ -174,9 +168,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
 
 void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
                   const IntegrateOptions& options) {
-    if (evidence.empty()) {
-        return;
-    }
+    if (evidence.empty()) return;
     const auto [low, high] = corner_cells(evidence);
     // Before the first write, so that a scan that passes the limits changes nothing.
     map.reserve(low, high);
@@ -212,12 +204,8 @@ OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
         } catch (const InputError& error) {
             throw InputError("scan " + std::to_string(i) + ": " + error.what());
         }
-        if ((i + 1) % kScansPerCommit == 0 || i + 1 == scans.size()) {
-            map.commit();
-        }
-        if (progress) {
-            progress(i + 1);
-        }
+        if ((i + 1) % kScansPerCommit == 0 || i + 1 == scans.size()) map.commit();
+        if (progress) progress(i + 1);
     }
     map.shrink_to_fit();
     return map;

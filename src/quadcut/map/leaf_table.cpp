@@ -14,9 +14,7 @@ constexpr std::int64_t kMaxTiles = std::int64_t{1} << 26;
 constexpr std::uint8_t kMaxRootLevel = 30;
 
 bool is_aligned_inside(const Leaf& leaf, const Root& root) {
-    if (leaf.level > root.level) {
-        return false;
-    }
+    if (leaf.level > root.level) return false;
     const std::int32_t mask = leaf.side_cells() - 1;
     const auto inside = [&](std::int32_t low, std::int32_t root_low) {
         return low >= root_low && ((low - root_low) & mask) == 0 &&
@@ -33,14 +31,10 @@ LeafTable::LeafTable(std::vector<Leaf> leaves, const Root& root)
     if (root.level > kMaxRootLevel) {
         throw std::logic_error("LeafTable: the root is larger than 2^30 cells");
     }
-    if (leaves_.size() >= kMixed) {
-        throw std::logic_error("LeafTable: more than 2^31 leaves");
-    }
+    if (leaves_.size() >= kMixed) throw std::logic_error("LeafTable: more than 2^31 leaves");
     frame_directory();
     for (std::uint32_t id = 0; id < leaves_.size(); ++id) {
-        if (leaves_[id].state == CellState::unknown) {
-            continue;
-        }
+        if (leaves_[id].state == CellState::unknown) continue;
         if (leaves_[id].level >= kTileBits) {
             add_large_leaf(id);
         } else {
@@ -63,18 +57,14 @@ void LeafTable::frame_directory() {
         if (!is_aligned_inside(leaf, root_)) {
             throw std::logic_error("LeafTable: a leaf is not an aligned block inside the root");
         }
-        if (leaf.state == CellState::unknown) {
-            continue;
-        }
+        if (leaf.state == CellState::unknown) continue;
         any = true;
         const std::int32_t reach = leaf.side_cells() - 1;
         low = {std::min(low.x, leaf.lower_left.x), std::min(low.y, leaf.lower_left.y)};
         high = {std::max(high.x, leaf.lower_left.x + reach),
                 std::max(high.y, leaf.lower_left.y + reach)};
     }
-    if (!any) {
-        return;
-    }
+    if (!any) return;
     low_tile_ = {low.x >> kTileBits, low.y >> kTileBits};
     width_ = (high.x >> kTileBits) - low_tile_.x + 1;
     height_ = (high.y >> kTileBits) - low_tile_.y + 1;
@@ -123,9 +113,7 @@ void LeafTable::add_small_leaf(std::uint32_t id) {
     for (std::size_t row = 0; row < side; ++row) {
         for (std::size_t column = 0; column < side; ++column) {
             std::uint8_t& offset = tile.offsets[corner + row * kTileSide + column];
-            if (offset != kNoLeaf) {
-                throw std::logic_error("LeafTable: leaves overlap");
-            }
+            if (offset != kNoLeaf) throw std::logic_error("LeafTable: leaves overlap");
             offset = static_cast<std::uint8_t>(id - tile.first_leaf);
         }
     }

@@ -43,14 +43,10 @@ public:
         if ((entry & kMixed) == 0) {
             return LeafId{entry};
         }
-        if (entry == kNothing) {
-            return std::nullopt;
-        }
+        if (entry == kNothing) return std::nullopt;
         const Tile& tile = tiles_[entry & ~kMixed];
         const std::uint8_t offset = tile.offsets[cell_in_tile(cell)];
-        if (offset == kNoLeaf) {
-            return std::nullopt;
-        }
+        if (offset == kNoLeaf) return std::nullopt;
         return LeafId{tile.first_leaf + offset};
     }
 
@@ -59,9 +55,7 @@ public:
     /// O(leaves met + tiles of the rectangle).
     template <typename Visitor>
     void for_each_leaf_in(Cell low, Cell high, Visitor&& visit) const {
-        if (low.x > high.x || low.y > high.y) {
-            return;
-        }
+        if (low.x > high.x || low.y > high.y) return;
         const Cell first{std::max(low.x >> kTileBits, low_tile_.x),
                          std::max(low.y >> kTileBits, low_tile_.y)};
         const Cell last{std::min(high.x >> kTileBits, low_tile_.x + width_ - 1),

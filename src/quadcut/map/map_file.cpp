@@ -46,9 +46,7 @@ std::optional<TileRange> known_tiles(const OccupancyMap& map) {
     std::optional<TileRange> known;
     for (Cell tile = first; tile.y <= last.y; ++tile.y) {
         for (tile.x = first.x; tile.x <= last.x; ++tile.x) {
-            if (is_unknown(map, tile)) {
-                continue;
-            }
+            if (is_unknown(map, tile)) continue;
             if (!known) {
                 known = TileRange{tile, tile};
             }
@@ -114,9 +112,7 @@ private:
 void write_tiles(Writer& writer, const OccupancyMap& map, const TileRange& tiles) {
     const auto for_each_tile = [&](const auto& visit) {
         for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
-            for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
-                visit(tile);
-            }
+            for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) visit(tile);
         }
     };
     for_each_tile([&](Cell tile) {
@@ -150,9 +146,7 @@ OccupancyMap read_header(Reader& reader, const std::string& name) {
     const Cell lower_left{reader.integer<std::int32_t>(), reader.integer<std::int32_t>()};
     const auto level = reader.integer<std::uint32_t>();
     try {
-        if (!is_placed) {
-            return OccupancyMap(resolution_m, pose);
-        }
+        if (!is_placed) return OccupancyMap(resolution_m, pose);
         reader.require(level <= 30, "the root's level is at most 30");
         return OccupancyMap(resolution_m, pose, {lower_left, static_cast<std::uint8_t>(level)});
     } catch (const InputError& error) {
@@ -202,9 +196,7 @@ void read_tiles(Reader& reader, OccupancyMap& map, const TileRange& range) {
                    "64 bytes for each mixed tile and 8 of checksum follow");
     for (const Cell& tile : mixed) {
         Tile values;
-        for (std::int8_t& value : values.values) {
-            value = read_log_odds(reader, reader.byte());
-        }
+        for (std::int8_t& value : values.values) value = read_log_odds(reader, reader.byte());
         map.set_tile(tile, values);
         reader.require(!map.is_uniform_tile(tile), "a mixed tile holds more than one value");
     }
@@ -216,9 +208,7 @@ std::vector<std::byte> encode_map(const OccupancyMap& map) {
     // Throws while writes are pending.
     static_cast<void>(map.num_leaves());
     Writer writer;
-    for (const std::uint8_t byte : kMagic) {
-        writer.byte(byte);
-    }
+    for (const std::uint8_t byte : kMagic) writer.byte(byte);
     writer.integer(kVersion);
     writer.number(map.resolution_m());
     writer.number(map.world_from_map().x);

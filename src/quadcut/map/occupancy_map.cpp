@@ -37,9 +37,7 @@ TileRange range_of(const Raster<std::uint32_t>& directory) {
 
 // Doubles one side of a root of `side` tiles: where to, that low .. high come to lie inside.
 bool grows_down(std::int32_t root_low, std::int32_t side, std::int32_t low, std::int32_t high) {
-    if (low < root_low) {
-        return true;
-    }
+    if (low < root_low) return true;
     return high < root_low + side && low - root_low + high - root_low < side;
 }
 
@@ -51,9 +49,7 @@ Root grown_root(Root root, const TileRange& tiles) {
             tiles.high.y < first.y + side) {
             return root;
         }
-        if (root.level == kMaxLevel) {
-            throw InputError("map: the extent passes 2^30 cells");
-        }
+        if (root.level == kMaxLevel) throw InputError("map: the extent passes 2^30 cells");
         if (grows_down(first.x, side, tiles.low.x, tiles.high.x)) {
             root.lower_left.x -= root.side_cells();
         }
@@ -67,9 +63,7 @@ Root grown_root(Root root, const TileRange& tiles) {
 // The old rectangle with the new tiles. A side that is passed moves by an eighth of the extent at
 // least, inside the root, so that a robot that walks away does not copy the directory at each step.
 TileRange grown_range(const TileRange& old, const TileRange& tiles, const Root& root) {
-    if (old.size() == 0) {
-        return tiles;
-    }
+    if (old.size() == 0) return tiles;
     const Cell first = tile_of(root.lower_left);
     const std::int32_t side = root.side_cells() >> kTileBits;
     const auto spare = [](std::int32_t low, std::int32_t high) {
@@ -171,9 +165,7 @@ void OccupancyMap::grow(Cell low_tile, Cell high_tile) {
         wanted = {{std::min(low_tile.x, old.low.x), std::min(low_tile.y, old.low.y)},
                   {std::max(high_tile.x, old.high.x), std::max(high_tile.y, old.high.y)}};
     }
-    if (wanted.size() > kMaxTiles) {
-        throw InputError("map: the extent passes 2^31 cells");
-    }
+    if (wanted.size() > kMaxTiles) throw InputError("map: the extent passes 2^31 cells");
     Root from = root_;
     if (!is_placed_) {
         from = {{low_tile.x * kTileSide, low_tile.y * kTileSide}, kTileBits};
@@ -209,9 +201,7 @@ void OccupancyMap::add_log_odds(Cell cell, int delta) {
 
 void OccupancyMap::write(Cell cell, int log_odds) {
     // What does not change is not touched: a saturated block stays collapsed.
-    if (store_.log_odds(cell) == log_odds) {
-        return;
-    }
+    if (store_.log_odds(cell) == log_odds) return;
     reserve(cell, cell);
     const Cell tile = tile_of(cell);
     remember(tile);
@@ -220,9 +210,7 @@ void OccupancyMap::write(Cell cell, int log_odds) {
 }
 
 void OccupancyMap::set_tile(Cell tile, const Tile& values) {
-    if (store_.tile(tile).values == values.values) {
-        return;
-    }
+    if (store_.tile(tile).values == values.values) return;
     const Cell corner{tile.x * kTileSide, tile.y * kTileSide};
     reserve(corner, corner);
     remember(tile);
@@ -239,9 +227,7 @@ void OccupancyMap::remember(Cell tile) {
 
 MapUpdate OccupancyMap::commit() {
     MapUpdate update;
-    if (pending_.empty() && committed_root_ == root_) {
-        return update;
-    }
+    if (pending_.empty() && committed_root_ == root_) return update;
     std::vector<std::pair<std::uint64_t, std::size_t>> order;
     order.reserve(pending_.size());
     for (const Pending& pending : pending_) {
@@ -267,9 +253,7 @@ MapUpdate OccupancyMap::commit() {
     update.nodes_rebuilt = change.leaves_added().size() + change.num_inner_nodes_added();
     update.rebuilt = std::move(change.leaves_added());
     update.nodes_touched = count_nodes_above(std::move(codes));
-    if (!order.empty()) {
-        update.covering = block_of(order.front().first, order.back().first);
-    }
+    if (!order.empty()) update.covering = block_of(order.front().first, order.back().first);
     return update;
 }
 

@@ -26,13 +26,9 @@ std::pair<Cell, Cell> bounds_of_known(const Raster<CellState>& states) {
     for (std::int32_t y = 0; y < states.height; ++y) {
         const auto row = states.values.begin() + std::ptrdiff_t{y} * states.width;
         const auto first = std::find_if(row, row + states.width, known);
-        if (first == row + states.width) {
-            continue;
-        }
+        if (first == row + states.width) continue;
         auto last = row + states.width - 1;
-        while (!known(*last)) {
-            --last;
-        }
+        while (!known(*last)) --last;
         low = {std::min(low.x, static_cast<std::int32_t>(first - row)), std::min(low.y, y)};
         high = {std::max(high.x, static_cast<std::int32_t>(last - row)), y};
     }
@@ -46,9 +42,7 @@ Root root_around(const Raster<CellState>& states) {
     const std::int64_t extent = std::max(std::int64_t{states.width} + states.origin.x - corner.x,
                                          std::int64_t{states.height} + states.origin.y - corner.y);
     int level = kTileBits;
-    while (std::int64_t{1} << level < extent) {
-        ++level;
-    }
+    while (std::int64_t{1} << level < extent) ++level;
     return {corner, static_cast<std::uint8_t>(level)};
 }
 
@@ -84,14 +78,10 @@ Tile tile_from(const Raster<CellState>& states, Cell tile) {
 
 OccupancyMap OccupancyMap::from_grid(const GridMap& grid) {
     const Raster<CellState>& states = grid.states;
-    if (states.values.empty()) {
-        return OccupancyMap(grid.resolution_m, grid.map_from_image);
-    }
+    if (states.values.empty()) return OccupancyMap(grid.resolution_m, grid.map_from_image);
     OccupancyMap map(grid.resolution_m, grid.map_from_image, root_around(states));
     const auto [low, high] = bounds_of_known(states);
-    if (low.x <= high.x) {
-        map.fill_from(states, low, high);
-    }
+    if (low.x <= high.x) map.fill_from(states, low, high);
     return map;
 }
 
@@ -116,9 +106,7 @@ Raster<CellState> OccupancyMap::to_raster() const {
     for (std::size_t i = 0; i < directory.values.size(); ++i) {
         const Cell tile = directory.cell(i);
         const std::uint64_t rows = known_cells(store_.tile(tile));
-        if (rows == 0) {
-            continue;
-        }
+        if (rows == 0) continue;
         std::uint64_t columns = rows | rows >> 32;
         columns |= columns >> 16;
         columns = (columns | columns >> 8) & 0xFF;
@@ -132,9 +120,7 @@ Raster<CellState> OccupancyMap::to_raster() const {
         return {};
     }
     Raster<CellState> states(low, high.x - low.x + 1, high.y - low.y + 1);
-    for (std::size_t i = 0; i < states.values.size(); ++i) {
-        states.values[i] = state(states.cell(i));
-    }
+    for (std::size_t i = 0; i < states.values.size(); ++i) states.values[i] = state(states.cell(i));
     return states;
 }
 
@@ -229,12 +215,8 @@ void OccupancyMap::append_tile_leaves(Cell position, std::vector<Leaf>& leaves) 
 }
 
 std::size_t OccupancyMap::count_leaves(int layer, Cell position) const {
-    if (is_uniform(pyramid_.at(layer, position))) {
-        return 1;
-    }
-    if (layer == 0) {
-        return static_cast<std::size_t>(pyramid_.num_leaves_in_tile(position));
-    }
+    if (is_uniform(pyramid_.at(layer, position))) return 1;
+    if (layer == 0) return static_cast<std::size_t>(pyramid_.num_leaves_in_tile(position));
     std::size_t sum = 0;
     for (int quadrant = 0; quadrant < 4; ++quadrant) {
         sum += count_leaves(layer - 1, child_of(position, quadrant));
@@ -255,9 +237,7 @@ std::size_t OccupancyMap::count_nodes_above(std::vector<std::uint64_t> tile_code
             }
             sum += layer > 0 ? 1 : (4 * count_leaves(0, morton_position(code)) - 1) / 3;
         }
-        for (std::uint64_t& code : tile_codes) {
-            code >>= 2;
-        }
+        for (std::uint64_t& code : tile_codes) code >>= 2;
         tile_codes.erase(std::unique(tile_codes.begin(), tile_codes.end()), tile_codes.end());
     }
     return sum;

@@ -18,9 +18,7 @@ Point along(const Point& from, const Point& direction, double length) {
 
 // Flips the first cell right of the edge in each row whose centre line it crosses.
 void flip_edge(BitRaster& cells, Point a, Point b) {
-    if (a.y > b.y) {
-        std::swap(a, b);
-    }
+    if (a.y > b.y) std::swap(a, b);
     const auto first = static_cast<std::int32_t>(std::ceil(a.y - 0.5));
     const auto end = static_cast<std::int32_t>(std::ceil(b.y - 0.5));
     const double slope = (b.x - a.x) / (b.y - a.y);
@@ -68,9 +66,7 @@ std::vector<Beam> beams_of(const Scan& scan, double sensor_yaw_rad, double resol
     for (std::size_t i = 0; i < beams.size(); ++i) {
         const double range_m = scan.ranges_m[i];
         // Written so that NaN fails too.
-        if (!(range_m > 0.0 && range_m < scan.max_range_m) || !std::isfinite(range_m)) {
-            continue;
-        }
+        if (!(range_m > 0.0 && range_m < scan.max_range_m) || !std::isfinite(range_m)) continue;
         const double angle =
             sensor_yaw_rad + scan.first_angle_rad + static_cast<double>(i) * scan.angle_step_rad;
         const double range = range_m / resolution_m;

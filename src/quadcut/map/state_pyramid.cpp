@@ -55,9 +55,7 @@ void StatePyramid::rebuild() {
 
 std::size_t StatePyramid::bytes() const {
     std::size_t sum = layers_.capacity() * sizeof(Raster<std::uint8_t>);
-    for (const Raster<std::uint8_t>& layer : layers_) {
-        sum += layer.values.capacity();
-    }
+    for (const Raster<std::uint8_t>& layer : layers_) sum += layer.values.capacity();
     return sum;
 }
 

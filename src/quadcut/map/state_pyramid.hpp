@@ -36,18 +36,14 @@ public:
 
     [[nodiscard]] BlockState at(int layer, Cell position) const {
         const Raster<std::uint8_t>& nodes = layers_[static_cast<std::size_t>(layer)];
-        if (!nodes.contains(position)) {
-            return BlockState::unknown;
-        }
+        if (!nodes.contains(position)) return BlockState::unknown;
         const std::uint8_t node = nodes.at(position) & ~kMark;
         return static_cast<BlockState>(node < kMixed ? node : kMixed);
     }
     /// @pre layer > 0; beyond the rectangle the state is unknown.
     void set(int layer, Cell position, BlockState state) {
         Raster<std::uint8_t>& nodes = layers_[static_cast<std::size_t>(layer)];
-        if (nodes.contains(position)) {
-            nodes.at(position) = static_cast<std::uint8_t>(state);
-        }
+        if (nodes.contains(position)) nodes.at(position) = static_cast<std::uint8_t>(state);
     }
 
     /// Leaves in a tile, 1 when it has one state.

@@ -26,9 +26,7 @@ TileStore::TileStore() : tiles_(kNumUniform) {
 
 Tile& TileStore::writable_tile(Cell tile) {
     std::uint32_t& entry = directory_.at(tile);
-    if (entry >= kNumUniform) {
-        return tiles_[entry];
-    }
+    if (entry >= kNumUniform) return tiles_[entry];
     const Tile uniform = tiles_[entry];
     if (!free_.empty()) {
         entry = free_.back();
@@ -55,20 +53,14 @@ void TileStore::set_tile(Cell tile, const Tile& values) {
 
 void TileStore::make_uniform(Cell tile, int log_odds) {
     std::uint32_t& entry = directory_.at(tile);
-    if (entry >= kNumUniform) {
-        free_.push_back(entry);
-    }
+    if (entry >= kNumUniform) free_.push_back(entry);
     entry = uniform_number(log_odds);
 }
 
 void TileStore::collapse(Cell tile) {
-    if (is_uniform(tile)) {
-        return;
-    }
+    if (is_uniform(tile)) return;
     const Tile& values = tiles_[directory_.at(tile)];
-    if (has_one_value(values)) {
-        make_uniform(tile, values.values.front());
-    }
+    if (has_one_value(values)) make_uniform(tile, values.values.front());
 }
 
 void TileStore::set_rectangle(Cell low, Cell high) {
@@ -83,9 +75,7 @@ void TileStore::set_rectangle(Cell low, Cell high) {
 }
 
 void TileStore::give_back() {
-    if (free_.size() > 32 && free_.size() > num_tiles() / 8) {
-        compact();
-    }
+    if (free_.size() > 32 && free_.size() > num_tiles() / 8) compact();
 }
 
 void TileStore::compact() {

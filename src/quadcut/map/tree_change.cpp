@@ -13,9 +13,7 @@ namespace {
 
 BlockState block_state(const TileStates& states) {
     for (const CellState state : {CellState::unknown, CellState::free, CellState::occupied}) {
-        if (states.of(state) == kWholeTile) {
-            return quadcut::block_state(state);
-        }
+        if (states.of(state) == kWholeTile) return quadcut::block_state(state);
     }
     return BlockState::mixed;
 }
@@ -36,17 +34,13 @@ TreeChange::TreeChange(StatePyramid& pyramid, const Root& before, const Root& ro
 
 void TreeChange::add_tile(std::uint64_t code, const TileStates& before, const TileStates& after) {
     pyramid_.set_tile(morton_position(code), after);
-    if (before == after) {
-        return;
-    }
+    if (before == after) return;
     add_leaves_in_tile(code, before, after);
     const Node node{code, block_state(before), block_state(after)};
     if (node.before != BlockState::mixed && node.after == BlockState::mixed) {
         ++num_inner_nodes_added_;
     }
-    if (node.before != node.after) {
-        nodes_.push_back(node);
-    }
+    if (node.before != node.after) nodes_.push_back(node);
 }
 
 void TreeChange::finish() {
@@ -54,12 +48,8 @@ void TreeChange::finish() {
     std::stable_sort(leaves_added_.begin(), leaves_added_.end(),
                      [](const Leaf& a, const Leaf& b) { return a.level < b.level; });
     for (;; ++layer_) {
-        if (layer_ == old_layer_ && old_layer_ < top) {
-            insert_old_root();
-        }
-        if (layer_ == top) {
-            break;
-        }
+        if (layer_ == old_layer_ && old_layer_ < top) insert_old_root();
+        if (layer_ == top) break;
         for (std::size_t first = 0; first < nodes_.size();) {
             std::size_t last = first + 1;
             while (last < nodes_.size() && nodes_[last].code >> 2 == nodes_[first].code >> 2) {
@@ -71,9 +61,7 @@ void TreeChange::finish() {
         nodes_.swap(parents_);
         parents_.clear();
     }
-    for (const Node& node : nodes_) {
-        account(node, BlockState::absent, BlockState::mixed);
-    }
+    for (const Node& node : nodes_) account(node, BlockState::absent, BlockState::mixed);
 }
 
 void TreeChange::add_leaves_in_tile(std::uint64_t code, const TileStates& before,
@@ -136,9 +124,7 @@ void TreeChange::update_parent(std::size_t first, std::size_t last) {
     if (parent.before != BlockState::mixed && parent.after == BlockState::mixed) {
         ++num_inner_nodes_added_;
     }
-    if (parent.before != parent.after) {
-        parents_.push_back(parent);
-    }
+    if (parent.before != parent.after) parents_.push_back(parent);
 }
 
 // A uniform block is a leaf when its parent is divided, or when it is the root.
@@ -146,12 +132,8 @@ void TreeChange::account(const Node& node, BlockState parent_before, BlockState 
     const bool was_leaf =
         is_uniform(node.before) && (parent_before == BlockState::mixed || is_old_root(node.code));
     const bool is_leaf = is_uniform(node.after) && parent_after == BlockState::mixed;
-    if (was_leaf && is_leaf && node.before == node.after) {
-        return;
-    }
-    if (was_leaf) {
-        ++num_leaves_removed_;
-    }
+    if (was_leaf && is_leaf && node.before == node.after) return;
+    if (was_leaf) ++num_leaves_removed_;
     if (is_leaf) {
         const Cell position = morton_position(node.code);
         const int level = layer_ + kTileBits;

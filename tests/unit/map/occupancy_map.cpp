@@ -191,7 +191,7 @@ TEST(OccupancyMap, RefusesSenselessGeometry) {
     EXPECT_THROW(OccupancyMap(0.0), InputError);
     EXPECT_THROW(OccupancyMap(-1.0), InputError);
     EXPECT_THROW(OccupancyMap(std::nan("")), InputError);
-    EXPECT_THROW(OccupancyMap(std::numeric_limits<double>::infinity()), InputError);
+    EXPECT_THROW(OccupancyMap{std::numeric_limits<double>::infinity()}, InputError);
     EXPECT_THROW(OccupancyMap(0.05, {std::nan(""), 0.0, 0.0}), InputError);
     EXPECT_THROW(OccupancyMap(0.05, {}, Root{{4, 0}, 5}), InputError);
     EXPECT_THROW(OccupancyMap(0.05, {}, Root{{0, 0}, 2}), InputError);
