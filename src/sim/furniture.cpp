@@ -41,6 +41,7 @@ private:
     void open_plan();
     void laboratory();
     void classroom();
+    void cubicle();
     void kitchen();
     void lounge();
     void bedroom();
@@ -268,6 +269,12 @@ void Decorator::bathroom() {
     furnisher_.add_at_wall(box_piece(0.3, 0.3));
 }
 
+void Decorator::cubicle() {
+    const double width = std::min(part_.rect.width(), part_.rect.height()) - 0.5;
+    furnisher_.add_opposite_door(desk_piece(make_, width, 0.7, random_));
+    small_things(2);
+}
+
 void Decorator::decorate() {
     switch (furnisher_.room().use) {
         case RoomUse::corridor:
@@ -297,9 +304,7 @@ void Decorator::decorate() {
             classroom();
             break;
         case RoomUse::cubicle:
-            furnisher_.add_opposite_door(desk_piece(
-                make_, std::min(part_.rect.width(), part_.rect.height()) - 0.5, 0.7, random_));
-            small_things(2);
+            cubicle();
             break;
         case RoomUse::washroom:
             for (int i = 0; i < 2; ++i) furnisher_.add_at_wall(box_piece(0.5, 0.4));

@@ -50,8 +50,8 @@ constexpr std::array<Offer, 13> kOffers{{
     {UnitKind::deep_suite, {7, 4, 4, 4}, 2.8, 4.8, 5.6, kAny},
     {UnitKind::side_suite, {7, 5, 5, 6}, 6.0, 9.0, 0.0, kAny},
     {UnitKind::washroom, {7, 0, 6, 9}, 2.6, 4.6, 3.8, kAny},
-    {UnitKind::aisle, {10, 0, 0, 0}, 6.0, 7.6, 4.6, kAny},
-    {UnitKind::cubicle_row, {6, 0, 0, 0}, 8.5, 14.0, 5.6, kAny},
+    {UnitKind::aisle, {7, 0, 0, 0}, 6.0, 7.6, 4.6, kAny},
+    {UnitKind::cubicle_row, {5, 0, 0, 0}, 8.5, 14.0, 5.6, kAny},
     {UnitKind::open_room, {6, 14, 5, 4}, 3.2, 5.5, 0.0, kAny},
     {UnitKind::core, {4, 2, 4, 4}, 2.4, 3.4, 0.0, kAny},
 }};

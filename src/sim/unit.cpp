@@ -236,10 +236,11 @@ void UnitBuilder::add_cubicles(const Frame& row, double length, double depth, st
     int count = std::max(1, static_cast<int>((length + kPartition) / (wanted + kPartition)));
     if ((length + kPartition) / count - kPartition > kMost) ++count;
     const double width = (length + kPartition) / count - kPartition;
-    const double choice = random_.uniform();
+    // A quarter of the rows is open over its whole width, the others have stubs at their fronts.
+    const bool has_stubs = random_.uniform() < 0.75;
     const double spare = std::min(width - 1.3, 1.0);
-    const double left = choice < 0.35 ? 0.0 : random_.uniform(0.15, 0.5) * spare;
-    const double right = choice < 0.35 ? 0.0 : random_.uniform(0.0, 0.5) * spare;
+    const double left = has_stubs ? random_.uniform(0.25, 0.5) * spare : 0.0;
+    const double right = has_stubs ? random_.uniform(0.1, 0.5) * spare : 0.0;
     for (int i = 0; i < count; ++i) {
         const double x = i * (width + kPartition);
         const std::size_t room =
