@@ -22,6 +22,8 @@ constexpr Index kBandRows = 1024;
 constexpr Index kMaxAim = 64;
 /// Steps between two looks at the Ritz values.
 constexpr Index kCheckEvery = 2;
+/// Vectors of one start at most, for each pair it goes for. Some 2.5 are the rule.
+constexpr Index kBasisPerPair = 6;
 /// Starts without a pair before giving up.
 constexpr int kMaxBarren = 3;
 /// A column of which no larger share is left is rounding error.
@@ -244,7 +246,7 @@ SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& sl
     while (values.size() < slice.num_wanted && locked.cols() < size && num_barren < kMaxBarren) {
         const Index missing = static_cast<Index>(slice.num_wanted - values.size());
         const Index aim = std::min(missing, kMaxAim);
-        BlockLanczos lanczos(factor, locked, first, 3 * aim + (10 + 10 * num_barren) * kBlock,
+        BlockLanczos lanczos(factor, locked, first, (kBasisPerPair + num_barren) * (aim + 10),
                              random);
         BlockLanczos::Ritz ritz;
         Sorted sorted;
