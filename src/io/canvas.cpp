@@ -98,7 +98,7 @@ Rgb blended(Rgb under, Rgb over, float share) {
     const auto channel = [share](std::uint8_t below, std::uint8_t above) {
         const float level = static_cast<float>(below) +
                             share * (static_cast<float>(above) - static_cast<float>(below));
-        return static_cast<std::uint8_t>(level + 0.5F);
+        return static_cast<std::uint8_t>(std::lround(level));
     };
     return {channel(under.red, over.red), channel(under.green, over.green),
             channel(under.blue, over.blue)};

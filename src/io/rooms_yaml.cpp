@@ -41,12 +41,23 @@ std::string to_rooms_yaml(const GridMap& map, const MapKeys& keys, std::span<con
     for (std::size_t i = 0; i < rooms.size(); ++i) {
         const Room& room = rooms[i];
         const std::string number = std::to_string(index(room.id));
-        yaml +=
-            "  - {value: " + number + ", id: " + number + ", name: " + json_text(name_of(room)) +
-            ", kind: " + std::string(to_text(room.kind)) + ", area_m2: " + rounded(room.area_m2) +
-            ", centroid: " + pair_of(room.centroid, decimals) +
-            ", label_point: " + pair_of(room.label_point, decimals) + ", color: \"" +
-            to_hex(colors[i]) + "\"}\n";
+        yaml += "  - {value: ";
+        yaml += number;
+        yaml += ", id: ";
+        yaml += number;
+        yaml += ", name: ";
+        yaml += json_text(name_of(room));
+        yaml += ", kind: ";
+        yaml += to_text(room.kind);
+        yaml += ", area_m2: ";
+        yaml += rounded(room.area_m2);
+        yaml += ", centroid: ";
+        yaml += pair_of(room.centroid, decimals);
+        yaml += ", label_point: ";
+        yaml += pair_of(room.label_point, decimals);
+        yaml += ", color: \"";
+        yaml += to_hex(colors[i]);
+        yaml += "\"}\n";
     }
     return yaml;
 }

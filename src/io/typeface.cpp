@@ -63,6 +63,16 @@ void append_glyph(const GlyphOutline& glyph, double left, double scale,
     }
 }
 
+/// A line of text in font units.
+struct TextLayout {
+    struct Glyph {
+        int index = 0;
+        int x = 0;
+    };
+    std::vector<Glyph> glyphs;
+    int width = 0;
+};
+
 }  // namespace
 
 struct Typeface::Font {
@@ -72,23 +82,20 @@ struct Typeface::Font {
         return static_cast<double>(stbtt_ScaleForMappingEmToPixels(&info, 1.0F)) * size;
     }
 
-    /// Calls `visit(glyph, x)` for each letter, x in font units; returns where the next one would
-    /// be.
-    template <typename Visit>
-    int lay_out(std::string_view bytes, const Visit& visit) const {
-        int x = 0;
+    [[nodiscard]] TextLayout lay_out(std::string_view bytes) const {
+        TextLayout layout;
         int previous = 0;
         for (const char32_t code_point : decode_utf8(bytes)) {
             const int glyph = stbtt_FindGlyphIndex(&info, static_cast<int>(code_point));
-            if (previous != 0) x += stbtt_GetGlyphKernAdvance(&info, previous, glyph);
-            visit(glyph, x);
+            if (previous != 0) layout.width += stbtt_GetGlyphKernAdvance(&info, previous, glyph);
+            layout.glyphs.push_back({glyph, layout.width});
             int advance = 0;
             int bearing = 0;
             stbtt_GetGlyphHMetrics(&info, glyph, &advance, &bearing);
-            x += advance;
+            layout.width += advance;
             previous = glyph;
         }
-        return x;
+        return layout;
     }
 };
 
@@ -102,7 +109,7 @@ Typeface& Typeface::operator=(Typeface&&) noexcept = default;
 Typeface::~Typeface() = default;
 
 double Typeface::width(std::string_view text, double size) const {
-    return font_->scale(size) * font_->lay_out(text, [](int, int) {});
+    return font_->scale(size) * font_->lay_out(text).width;
 }
 
 double Typeface::cap_height(double size) const {
@@ -117,9 +124,9 @@ double Typeface::cap_height(double size) const {
 std::vector<std::vector<Point>> Typeface::outlines(std::string_view text, double size) const {
     const double scale = font_->scale(size);
     std::vector<std::vector<Point>> lines;
-    font_->lay_out(text, [&](int glyph, int x) {
-        append_glyph(GlyphOutline(font_->info, glyph), scale * x, scale, lines);
-    });
+    for (const TextLayout::Glyph& glyph : font_->lay_out(text).glyphs) {
+        append_glyph(GlyphOutline(font_->info, glyph.index), scale * glyph.x, scale, lines);
+    }
     return lines;
 }
 
