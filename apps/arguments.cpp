@@ -35,8 +35,7 @@ const Flag* find_flag(const CommandForm& form, const std::string& name) {
     return nullptr;
 }
 
-/// Words that cannot be the value of a flag: other flags. A negative number
-/// can.
+/// Words that cannot be the value of a flag: other flags. A negative number can.
 bool is_value(const CommandForm& form, const std::string& word) {
     return word.rfind("--", 0) != 0 && find_flag(form, word) == nullptr;
 }
@@ -66,6 +65,20 @@ void check_operands(const CommandForm& form, const std::vector<std::string>& ope
     if (operands.size() < least) {
         throw InputError("missing " + form.operands[operands.size()] +
                          "; usage: " + usage_of(form));
+    }
+}
+
+/// The shortest way to write a flag with its value: "-o DIR".
+std::string short_form(const Flag& flag) {
+    return (flag.short_name.empty() ? flag.name : flag.short_name) +
+           (flag.value.empty() ? "" : " " + flag.value);
+}
+
+void check_required(const CommandForm& form, const Arguments& arguments) {
+    for (const Flag& flag : form.flags) {
+        if (flag.is_required && !arguments.has(flag.name)) {
+            throw InputError("missing " + short_form(flag) + "; usage: " + usage_of(form));
+        }
     }
 }
 
@@ -149,6 +162,7 @@ Arguments parse_arguments(const CommandForm& form, std::span<const std::string> 
         arguments.flags.emplace_back(flag->name, value);
     }
     check_operands(form, arguments.operands);
+    check_required(form, arguments);
     return arguments;
 }
 
@@ -197,7 +211,12 @@ std::string usage_of(const CommandForm& form) {
         const bool is_optional = i + form.num_optional >= form.operands.size();
         usage += is_optional ? " [" + form.operands[i] + "]" : " " + form.operands[i];
     }
-    return form.flags.empty() ? usage : usage + " [options]";
+    bool has_optional = false;
+    for (const Flag& flag : form.flags) {
+        if (flag.is_required) usage += " " + short_form(flag);
+        has_optional = has_optional || !flag.is_required;
+    }
+    return has_optional ? usage + " [options]" : usage;
 }
 
 std::string help_of(const CommandForm& form) {

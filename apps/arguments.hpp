@@ -23,6 +23,7 @@ struct Flag {
     /// What stands for its value in the help; empty for a switch.
     std::string value;
     std::string text;
+    bool is_required = false;
 };
 
 /// What a command takes.
@@ -41,8 +42,7 @@ struct CommandForm {
 /// What was given on the command line.
 struct Arguments {
     std::vector<std::string> operands;
-    /// Flags by their name in the form, in the order given; a switch has an empty
-    /// value.
+    /// Flags by their name in the form, in the order given; a switch has an empty value.
     std::vector<std::pair<std::string, std::string>> flags;
 
     [[nodiscard]] bool has(std::string_view flag) const;
@@ -51,29 +51,25 @@ struct Arguments {
 
 /// The switch that every command has.
 inline constexpr std::string_view kHelpFlag = "--help";
-/// The flag that may be repeated: `--set name=value`, for options without a
-/// flag of their own.
+/// The flag that may be repeated: `--set name=value`, for options without a flag of their own.
 inline constexpr std::string_view kSetFlag = "--set";
 
-/// Sorts the words after the command's name. `--name value` and `--name=value`
-/// are the same; a value may begin with one dash, not with two; after `--`
-/// everything is an operand. With --help
-/// (-h) nothing else is checked. Throws InputError for an unknown flag (naming
-/// the nearest known one), a planned one, a repeated one, a missing or
-/// superfluous value, and the wrong number of operands.
+/// Sorts the words after the command's name. `--name value` and `--name=value` are the same; a
+/// value may begin with a dash, but not be a flag; after `--` everything is an operand. With --help
+/// (-h) nothing else is checked. Throws InputError for an unknown flag (naming the nearest known
+/// one), a planned one, a repeated one, a missing or superfluous value, a required flag that is not
+/// there, and the wrong number of operands.
 [[nodiscard]] Arguments parse_arguments(const CommandForm& form,
                                         std::span<const std::string> words);
 
-/// The flag that sets a field: "--door-width" for door_width; its text says
-/// unit, range, default.
+/// The flag that sets a field: "--door-width" for door_width; its text says unit, range, default.
 [[nodiscard]] Flag flag_of(const OptionField& field, std::string_view value);
 /// The same for the field of the given name. @pre there is one.
 [[nodiscard]] Flag flag_of(const std::vector<OptionField>& fields, std::string_view name,
                            std::string_view value);
 
-/// Sets the fields whose flags, or whose names after --set, are among the
-/// arguments. Throws InputError as set_option does, for `--set` without `=`,
-/// and for a field that is set twice.
+/// Sets the fields whose flags, or whose names after --set, are among the arguments. Throws
+/// InputError as set_option does, for `--set` without `=`, and for a field that is set twice.
 void set_fields(const Arguments& arguments, const std::vector<OptionField>& fields);
 
 /// One line: `quadcut segment MAP|LOG -o DIR [options]`.

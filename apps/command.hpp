@@ -9,9 +9,8 @@
 
 namespace quadcut {
 
-/// A sub-command: what it takes, and what it does. `run` prints to standard
-/// output, warnings to standard error, and throws when it cannot do what was
-/// asked.
+/// A sub-command: what it takes, and what it does. `run` prints to standard output, warnings to
+/// standard error, and throws when it cannot do what was asked.
 struct Command {
     CommandForm form;
     void (*run)(const Arguments& arguments) = nullptr;

@@ -128,10 +128,9 @@ Command demo_command() {
     const std::vector<OptionField> fields = simulation_fields(defaults);
     CommandForm form;
     form.name = "demo";
-    form.text =
-        "Simulates a furnished building, maps it, cuts it and compares "
-        "with the truth.";
+    form.text = "Simulates a furnished building, maps it, cuts it and compares with the truth.";
     form.flags = {output_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
+    form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
     return {form, run};
 }

@@ -85,7 +85,7 @@ InputKind find_input_kind(const std::filesystem::path& path) {
                          ": ROS bags are not in this version of quadcut; expected a map "
                          "(.yaml, PGM, PNG) or a CARMEN log");
     }
-    throw InputError(name + ": neither a map (YAML, PGM, PNG) nor a laser log (CARMEN)");
+    throw InputError(name + ": neither a map (.yaml, PGM, PNG) nor a laser log (CARMEN)");
 }
 
 }  // namespace quadcut

@@ -39,8 +39,7 @@ LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesy
     result.map = map.to_grid();
     if (result.map.states.values.empty()) {
         throw InputError(io::display_name(log) +
-                         ": no reading says anything: expected ranges above 0 that "
-                         "hit something");
+                         ": no reading says anything: expected ranges above 0 that hit something");
     }
     result.num_leaves = map.num_leaves();
     result.trajectory.reserve(scans.size());

@@ -26,9 +26,8 @@ struct LogMap {
     std::uint64_t content_hash = 0;
 };
 
-/// Reads a log and maps it; `poses` names a file of poses that replace the
-/// log's own (see with_poses). The stages are `read` and `map`. Throws
-/// InputError.
+/// Reads a log and maps it; `poses` names a file of poses that replace the log's own (see
+/// with_poses). The stages are `read` and `map`. Throws InputError.
 [[nodiscard]] LogMap map_log(const std::filesystem::path& log,
                              const std::optional<std::filesystem::path>& poses, double resolution_m,
                              StageClock& clock, Progress& progress);

@@ -8,8 +8,8 @@
 
 namespace quadcut {
 
-/// One line on standard error, `quadcut: ...`. Control characters are shown as
-/// '?', so that it stays one line whatever a file is called.
+/// One line on standard error, `quadcut: ...`. Control characters are shown as '?', so that it
+/// stays one line whatever a file is called.
 void print_error(std::string_view message);
 
 /// `quadcut: warning: ...`, a line each.

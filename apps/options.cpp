@@ -40,12 +40,9 @@ std::string as_markdown(const std::vector<OptionField>& fields, const CommandFor
     std::string page =
         "# Options\n\n"
         "Written by `quadcut options --markdown`.\n\n"
-        "Most maps need none of them. The two knobs are "
-        "`door_width` and `granularity`. Options\n"
-        "without a flag of their own are given as `--set "
-        "name=value`, which may be repeated.\n\n"
-        "| option | command line | default | range | meaning "
-        "|\n|---|---|---|---|---|\n";
+        "Most maps need none of them. The two knobs are `door_width` and `granularity`. Options\n"
+        "without a flag of their own are given as `--set name=value`, which may be repeated.\n\n"
+        "| option | command line | default | range | meaning |\n|---|---|---|---|---|\n";
     for (const OptionField& field : fields) {
         page += "| `" + std::string(field.name) + "` | `" + usage_of(field, form) + "` | " +
                 option_text(field) + " | " + range_of(field) + " | " + meaning_of(field) + " |\n";

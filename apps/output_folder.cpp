@@ -37,14 +37,13 @@ void check_writable(const std::filesystem::path& folder) {
 
 Flag output_flag() {
     return {std::string(kOutputFlag), "-o", "DIR",
-            "the folder for the results; made if it is not there"};
+            "the folder for the results; made if it is not there", true};
 }
 
 std::filesystem::path output_folder(const Arguments& arguments) {
-    const std::optional<std::string> given = arguments.value(kOutputFlag);
-    if (!given) throw InputError("missing -o DIR, the folder for the results");
-    check_writable(*given);
-    return *given;
+    const std::filesystem::path folder = arguments.value(kOutputFlag).value();
+    check_writable(folder);
+    return folder;
 }
 
 std::filesystem::path output_folder(const Arguments& arguments,

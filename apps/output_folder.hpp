@@ -8,13 +8,12 @@
 
 namespace quadcut {
 
-/// The flag `-o DIR`.
+/// The flag `-o DIR`, required.
 [[nodiscard]] Flag output_flag();
 
-/// The folder that -o names. It is not made yet, but it is checked that it can
-/// be, so that a mistake shows before the work is done. Throws InputError when
-/// -o is missing, when the folder or one above it is a file, and when it cannot
-/// be written to.
+/// The folder that -o names. It is not made yet, but it is checked that it can be, so that a
+/// mistake shows before the work is done. Throws InputError when the folder or one above it is a
+/// file, and when it cannot be written to. @pre the flag was given
 [[nodiscard]] std::filesystem::path output_folder(const Arguments& arguments);
 /// The same with a folder to take when -o is missing.
 [[nodiscard]] std::filesystem::path output_folder(const Arguments& arguments,

@@ -11,8 +11,8 @@
 
 namespace quadcut {
 
-/// A pose counts for scans this long before the first one or after the last
-/// one, seconds (or scans, when poses are numbered).
+/// A pose counts for scans this long before the first one or after the last one, seconds (or scans,
+/// when poses are numbered).
 inline constexpr double kPoseReach = 0.5;
 
 struct PosedScans {
@@ -21,11 +21,10 @@ struct PosedScans {
     std::size_t num_left_out = 0;
 };
 
-/// Gives the scans other poses of the laser. Poses whose times are the numbers
-/// of scans (whole, from 0 up to less than scans.size(), as g2o has them) are
-/// matched by number, others by time stamp. A scan between two poses gets what
-/// lies between them, in proportion; one outside of all of them, by more than
-/// kPoseReach, is left out. Throws InputError, beginning with `name`, when no
+/// Gives the scans other poses of the laser. Poses whose times are the numbers of scans (whole,
+/// from 0 up to less than scans.size(), as g2o has them) are matched by number, others by time
+/// stamp. A scan between two poses gets what lies between them, in proportion; one outside of all
+/// of them, by more than kPoseReach, is left out. Throws InputError, beginning with `name`, when no
 /// scan is left.
 /// @pre poses is not empty.
 [[nodiscard]] PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,

@@ -14,8 +14,7 @@ enum class ProgressStyle : std::uint8_t { none, bar };
 /// A bar if standard error is a terminal, unless the user wants none.
 [[nodiscard]] ProgressStyle progress_style(ProgressStyle wanted);
 
-/// One line on standard error that shows what is going on; it is wiped when all
-/// is over.
+/// One line on standard error that shows what is going on; it is wiped when all is over.
 class Progress {
 public:
     explicit Progress(ProgressStyle style) : style_(style) {}
@@ -25,8 +24,7 @@ public:
 
     /// Something begins whose length is not known.
     void begin(std::string_view stage);
-    /// So much of the current stage is done. Cheap enough to be called a million
-    /// times.
+    /// So much of the current stage is done. Cheap enough to be called a million times.
     void update(std::size_t num_done, std::size_t num_all);
     /// Takes the line away, so that something else can be printed.
     void wipe();

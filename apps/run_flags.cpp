@@ -22,10 +22,8 @@ Flag resolution_flag() {
 
 Flag poses_flag() {
     return {"--poses", "", "FILE",
-            "where the robot was, TUM or g2o; for a log, poses of the laser that "
-            "replace its own, "
-            "by time stamp or, when they are numbered as in g2o, by number of "
-            "the scan"};
+            "where the robot was, TUM or g2o; for a log, poses of the laser that replace its own, "
+            "by time stamp or, when they are numbered as in g2o, by number of the scan"};
 }
 
 Flag json_flag() { return {"--json", "", "", "print the summary as JSON"}; }

@@ -24,9 +24,7 @@ void run(const Arguments& arguments) {
 Command score_command() {
     CommandForm form;
     form.name = "score";
-    form.text =
-        "Compares two label images; with the map, only its free cells "
-        "count as covered.";
+    form.text = "Compares two label images; with the map, only its free cells count as covered.";
     form.operands = {"PREDICTED.png", "TRUTH.png", "MAP.png"};
     form.num_optional = 1;
     return {form, run};

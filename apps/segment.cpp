@@ -130,9 +130,7 @@ Command segment_command() {
     const std::vector<OptionField> fields = option_fields(defaults);
     CommandForm form;
     form.name = "segment";
-    form.text =
-        "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) "
-        "into rooms.";
+    form.text = "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) into rooms.";
     form.operands = {"MAP|LOG"};
     form.flags = {output_flag(),
                   resolution_flag(),

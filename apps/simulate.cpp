@@ -57,9 +57,7 @@ Command simulate_command() {
     const std::vector<OptionField> fields = simulation_fields(defaults);
     CommandForm form;
     form.name = "simulate";
-    form.text =
-        "Draws a building with its truth and the log of a robot that "
-        "explores it.";
+    form.text = "Draws a building with its truth and the log of a robot that explores it.";
     form.flags = {output_flag(),
                   flag_of(fields, "seed", "S"),
                   flag_of(fields, "rooms", "N"),

@@ -10,8 +10,7 @@
 
 namespace quadcut {
 
-/// Prints what a segmentation found, how long the run took and where the files
-/// are.
+/// Prints what a segmentation found, how long the run took and where the files are.
 void print_summary(const Segmentation& rooms, double elapsed_ms, const std::string& folder,
                    const std::vector<std::string>& files, SummaryStyle style);
 

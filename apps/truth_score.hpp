@@ -9,10 +9,9 @@
 
 namespace quadcut {
 
-/// Scores rooms against the true rooms of a building. The map may have another
-/// origin, extent, direction and resolution: each cell of the building takes
-/// what the map has at its centre. Only cells that the map knows as free count
-/// towards `cover`. O(cells).
+/// Scores rooms against the true rooms of a building. The map may have another origin, extent,
+/// direction and resolution: each cell of the building takes what the map has at its centre. Only
+/// cells that the map knows as free count towards `cover`. O(cells).
 [[nodiscard]] io::RoomScore score_against_truth(const GridMap& map, const Segmentation& rooms,
                                                 const sim::Building& building);
 

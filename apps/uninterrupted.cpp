@@ -15,8 +15,7 @@ extern "C" void remember_interrupt(int number) { interrupt_met = number; }
 
 }  // namespace
 
-// Blocking the signals would not do: a worker thread that does not block them
-// would get them.
+// Blocking the signals would not do: a worker thread that does not block them would get them.
 Uninterrupted::Uninterrupted() {
     interrupt_met = 0;
     struct sigaction later {};

@@ -7,10 +7,9 @@
 
 namespace quadcut {
 
-/// While it lives, an interrupt (SIGINT, SIGTERM, SIGHUP) waits; when it is
-/// gone, the interrupt ends the program as it would have. Results are written
-/// under one of these, so that an interrupted program has written all of them
-/// or none. One at a time.
+/// While it lives, an interrupt (SIGINT, SIGTERM, SIGHUP) waits; when it is gone, the interrupt
+/// ends the program as it would have. Results are written under one of these, so that an
+/// interrupted program has written all of them or none. One at a time.
 class Uninterrupted {
 public:
     Uninterrupted();

@@ -14,8 +14,8 @@
 namespace quadcut::test {
 namespace {
 
-/// A run that must fail on its input: exit code 2, one line on standard error
-/// with all the `words`, nothing on standard output, and nothing written.
+/// A run that must fail on its input: exit code 2, one line on standard error with all the `words`,
+/// nothing on standard output, and nothing written.
 void expect_refused(const Folder& folder, std::vector<std::string> arguments,
                     const std::vector<std::string>& words) {
     const std::string command = arguments.at(0);

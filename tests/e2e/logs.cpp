@@ -55,8 +55,7 @@ TEST(MapOfLog, Resolution) {
 TEST(MapOfLog, GarbageLinesAndBadRangesAreSkippedWithAWarning) {
     const Folder folder;
     const std::string bad =
-        "\x01\x02 no message\nFLASER 3 1 2\nFLASER 2 nan -1 "
-        "0 0 0 0 0 0 1 host 1\n";
+        "\x01\x02 no message\nFLASER 3 1 2\nFLASER 2 nan -1 0 0 0 0 0 0 1 host 1\n";
     const Outcome outcome = run_quadcut(
         {"map", folder.write("bad.log", bad + room_scan(0, 0, 1)), "-o", folder / "out", "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -69,9 +68,9 @@ TEST(MapOfLog, PosesReplaceTheLogsOwn) {
     const Folder folder;
     const std::string log =
         folder.write("two.log", room_scan(0, 0, 100.0) + room_scan(0, 0, 101.0));
-    const std::string tum = folder.write("poses.tum",
-                                         "100.0 10 20 0 0 0 0 1\n101.0 10 20 0 0 0 "
-                                         "0.7071067811865476 0.7071067811865476\n");
+    const std::string tum = folder.write(
+        "poses.tum",
+        "100.0 10 20 0 0 0 0 1\n101.0 10 20 0 0 0 0.7071067811865476 0.7071067811865476\n");
     const std::string g2o =
         folder.write("poses.g2o", "VERTEX_SE2 0 10 20 0\nVERTEX_SE2 1 10 20 1.5707963267948966\n");
     for (const std::string& poses : {tum, g2o}) {

@@ -17,8 +17,8 @@ struct Outcome {
     std::string err;
 };
 
-/// Runs a program (a path) with its standard output and error caught. A program
-/// that a signal ends has 128 + the signal's number as exit code.
+/// Runs a program (a path) with its standard output and error caught. A program that a signal ends
+/// has 128 + the signal's number as exit code.
 Outcome run_process(const std::string& program, const std::vector<std::string>& arguments);
 
 /// Runs quadcut.
@@ -44,19 +44,17 @@ private:
 /// All bytes of a file; empty if there is none.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Every file below a folder with its bytes, by relative path; hidden ones,
-/// too.
+/// Every file below a folder with its bytes, by relative path; hidden ones, too.
 std::map<std::string, std::string> files_below(const std::filesystem::path& folder);
 
 /// A path in the folder of maps and logs beside the repository.
 std::filesystem::path shared(std::string_view relative_path);
 
-/// A drawing as a binary PGM: each character is a square of `scale` pixels: '#'
-/// occupied, '?' unknown, anything else free. All lines have the same length.
+/// A drawing as a binary PGM: each character is a square of `scale` pixels: '#' occupied, '?'
+/// unknown, anything else free. All lines have the same length.
 std::string drawn_pgm(const std::vector<std::string>& lines, int scale);
 
-/// Three rooms of about 3 x 3.2 m (at 0.05 m a pixel) on a corridor, with doors
-/// of 0.8 m.
+/// Three rooms of about 3 x 3.2 m (at 0.05 m a pixel) on a corridor, with doors of 0.8 m.
 std::string office_pgm();
 
 /// A map_server YAML for an image, with its lower left corner at (1, -2).

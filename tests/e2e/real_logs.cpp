@@ -23,8 +23,8 @@ CellState state_at(const GridMap& map, const Point& point) {
     return map.states.contains(cell) ? map.states.at(cell) : CellState::unknown;
 }
 
-/// Intersection over union of the free space of two maps, where both are known,
-/// by the cells of the first.
+/// Intersection over union of the free space of two maps, where both are known, by the cells of the
+/// first.
 double free_iou(const GridMap& a, const GridMap& b) {
     std::size_t both = 0;
     std::size_t either = 0;

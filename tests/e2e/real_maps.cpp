@@ -91,8 +91,7 @@ TEST(SlowRealMaps, EveryOtherMapGivesConnectedRooms) {
 }
 
 TEST(SlowRealMaps, UnknownReadAsFreeIsWarnedOf) {
-    // A map whose thresholds make unknown pixels free: read as map_server reads
-    // it.
+    // A map whose thresholds make unknown pixels free: read as map_server reads it.
     for (const auto& entry : std::filesystem::directory_iterator(shared("data/maps"))) {
         if (entry.path().extension() != ".yaml") continue;
         if (read_bytes(entry.path()).find("free_thresh: 0.25") == std::string::npos) continue;

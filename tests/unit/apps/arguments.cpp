@@ -76,6 +76,14 @@ TEST(Arguments, SetMayBeRepeatedOthersNot) {
     EXPECT_EQ(error_of({"n", "-o", "a", "--output", "b"}), "option --output: given twice");
 }
 
+TEST(Arguments, RequiredFlagIsInTheUsage) {
+    CommandForm form = sample_form();
+    form.flags[0].is_required = true;
+    EXPECT_EQ(usage_of(form), "quadcut paint WALL [COLOUR] -o DIR [options]");
+    EXPECT_NO_THROW(static_cast<void>(parse_arguments(form, Words{"n", "-o", "x"})));
+    EXPECT_THROW(static_cast<void>(parse_arguments(form, Words{"n"})), InputError);
+}
+
 TEST(Arguments, Errors) {
     EXPECT_EQ(error_of({"n", "--layer", "1"}),
               "unknown option '--layer': did you mean '--layers'?");
@@ -85,6 +93,7 @@ TEST(Arguments, Errors) {
     EXPECT_EQ(error_of({"n", "--layers"}), "option --layers: expected N");
     EXPECT_EQ(error_of({"n", "--layers="}), "option --layers: expected N");
     EXPECT_EQ(error_of({"n", "--layers", "--json"}), "option --layers: expected N");
+    EXPECT_EQ(error_of({"n", "--layers", "-o", "out"}), "option --layers: expected N");
     EXPECT_EQ(error_of({"n", "--json=1"}), "option --json: takes no value");
     EXPECT_EQ(error_of({}), "missing WALL; usage: quadcut paint WALL [COLOUR] [options]");
     EXPECT_EQ(error_of({"a", "b", "c"}),

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/base/option_field.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/options.hpp"
@@ -80,7 +80,8 @@ TEST(OptionField, RejectedValueIsNamedWithWhatWasExpected) {
     }
     for (const char* text : {"0", "9", "-1", "2.0", "1e1", "", "99999999999999999999"}) {
         const std::string error = error_of(sample, "count", text);
-        EXPECT_NE(error.find("whole number from 1 to 8"), std::string::npos) << text << ": " << error;
+        EXPECT_NE(error.find("whole number from 1 to 8"), std::string::npos)
+            << text << ": " << error;
     }
     EXPECT_NE(error_of(sample, "kind", "oval").find("round square"), std::string::npos);
 }
