@@ -171,9 +171,9 @@ void Canvas::fill(const Shape& shape, Rgb color, double opacity) {
     std::vector<Shape::Edge> active;
     CoverageRow row(width_);
     const auto solid = static_cast<float>(opacity);
-    std::int32_t y = waiting.empty()
-                         ? height_
-                         : std::max(0, static_cast<std::int32_t>(std::floor(waiting.back().y0)));
+    const float first =
+        waiting.empty() ? 0.0F : std::clamp(waiting.back().y0, 0.0F, static_cast<float>(height_));
+    auto y = static_cast<std::int32_t>(first);
     for (; y < height_ && !(waiting.empty() && active.empty()); ++y) {
         const auto top = static_cast<float>(y);
         const float bottom = top + 1.0F;

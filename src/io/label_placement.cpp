@@ -42,6 +42,10 @@ Block measure(const LabelText& text, double size, bool with_area, const Typeface
 
 bool is_all_room(const Raster<std::uint32_t>& ground, std::uint32_t room, const Point& center,
                  double width, double height) {
+    constexpr double kFarAway = 1e9;
+    const bool near = std::abs(center.x) < kFarAway && std::abs(center.y) < kFarAway &&
+                      width < kFarAway && height < kFarAway;
+    if (!near) return false;
     const auto low_x = static_cast<std::int32_t>(std::floor(center.x - width / 2.0));
     const auto low_y = static_cast<std::int32_t>(std::floor(center.y - height / 2.0));
     const auto high_x = static_cast<std::int32_t>(std::ceil(center.x + width / 2.0)) - 1;
