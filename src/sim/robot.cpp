@@ -16,8 +16,8 @@ namespace {
 // the first round a place to stand on, in the second one corners that it can only look into. It
 // goes there until next to nothing is left.
 constexpr double kLookAround = 0.45;
-constexpr double kLeastPlace = 0.35;
-constexpr double kLeastCorner = 0.15;
+constexpr double kLeastPlace = 0.5;
+constexpr double kLeastCorner = 0.25;
 constexpr double kContent = 0.02;
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
