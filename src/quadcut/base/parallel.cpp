@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -19,6 +20,9 @@ void parallel_for(const Executor& executor, std::size_t count, std::size_t chunk
         for (std::size_t i = 0; i < num_chunks; ++i) run(i);
         return;
     }
+    // More threads than cores are allowed; without this TBB says on stderr that they are not.
+    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(executor.num_threads));
     tbb::task_arena arena(executor.num_threads);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, num_chunks, run); });
 }
