@@ -12,6 +12,7 @@ namespace quadcut {
 /// A leaf of the quadtree: the largest aligned square block of one state. A leaf of level l covers
 /// 2^l x 2^l cells. Levels count from the single cell up, so that they do not change when the root
 /// grows; the paper's layer is root_level - level.
+/// Eq. (1): a cell, the smallest unit, has the area x_map y_map / 4^l, where l = root_level.
 struct Leaf {
     Cell lower_left;
     std::uint8_t level = 0;

@@ -28,8 +28,8 @@ struct MapUpdate {
     std::size_t nodes_touched = 0;
     /// Nodes that did not exist before, the leaves of `rebuilt` and the inner nodes above them.
     std::size_t nodes_rebuilt = 0;
-    /// The smallest block of the tree, a tile at least, that covers what was written or observed;
-    /// paper eq. 12 is num_nodes_in(covering) / num_nodes(). Nothing if nothing was.
+    /// The smallest block of the tree, a tile at least, that covers what was written or observed.
+    /// Nothing if nothing was. Eq. (12): ps = num_nodes_in(covering) / num_nodes()
     std::optional<Root> covering;
 };
 
