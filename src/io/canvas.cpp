@@ -191,13 +191,13 @@ void Canvas::fill(const Shape& shape, Rgb color, double opacity) {
         }
         std::erase_if(active, [bottom](const Shape::Edge& edge) { return edge.y1 <= bottom; });
         Rgb* const pixels = pixels_.data() + offset(0, y);
-        row.flush([&](std::int32_t first, std::int32_t last, float coverage) {
+        row.flush([&](std::int32_t begin, std::int32_t end, float coverage) {
             constexpr float kWhole = 0.998F;
             const float share = coverage * solid;
             if (share > kWhole) {
-                std::fill(pixels + first, pixels + last, color);
+                std::fill(pixels + begin, pixels + end, color);
             } else {
-                std::transform(pixels + first, pixels + last, pixels + first,
+                std::transform(pixels + begin, pixels + end, pixels + begin,
                                [&](Rgb under) { return blended(under, color, share); });
             }
         });
