@@ -102,17 +102,20 @@ double orthonormality_error(const ConnectedPairs& pairs, std::size_t size) {
     return error;
 }
 
-/// Throws NumericalError unless residuals are small and vectors orthonormal.
-void check(const ConnectedPairs& pairs, const Laplacian& laplacian, double tolerance) {
+void require_orthonormal(const ConnectedPairs& pairs, std::size_t size) {
+    const double error = orthonormality_error(pairs, size);
+    if (error <= kOrthonormal) return;
+    throw NumericalError("eigensolver: eigenvectors are orthonormal only to " + scientific(error));
+}
+
+void require_small_residuals(const ConnectedPairs& pairs, const Laplacian& laplacian,
+                             double tolerance) {
     for (std::size_t j = 0; j < pairs.values.size(); ++j) {
         if (pairs.residuals[j] <= tolerance * laplacian.norm_bound()) continue;
         throw NumericalError("eigensolver: the residual of eigenpair " + std::to_string(j) +
                              " is " + scientific(pairs.residuals[j] / laplacian.norm_bound()) +
                              " of the norm");
     }
-    const double error = orthonormality_error(pairs, laplacian.size());
-    if (error <= kOrthonormal) return;
-    throw NumericalError("eigensolver: eigenvectors are orthonormal only to " + scientific(error));
 }
 
 ConnectedPairs solve_dense(const Laplacian& laplacian, const SpectrumRequest& request,
@@ -139,7 +142,8 @@ ConnectedPairs solve_dense(const Laplacian& laplacian, const SpectrumRequest& re
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     ConnectedPairs pairs = finish(laplacian, solver.eigenvectors().leftCols(num_below), order,
                                   request.max_count, executor);
-    check(pairs, laplacian, options.tolerance);
+    require_orthonormal(pairs, laplacian.size());
+    require_small_residuals(pairs, laplacian, options.tolerance);
     return pairs;
 }
 
@@ -219,8 +223,9 @@ ConnectedPairs solve_slices(const Laplacian& laplacian, const SpectrumRequest& r
     if (orthonormality_error(pairs, laplacian.size()) > kOrthonormal) {
         // Where weights span many decades, whole slices lie within rounding errors of each other.
         pairs = joined(Against::all_before);
+        require_orthonormal(pairs, laplacian.size());
     }
-    check(pairs, laplacian, options.tolerance);
+    require_small_residuals(pairs, laplacian, options.tolerance);
     return pairs;
 }
 

@@ -265,8 +265,8 @@ SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& sl
         }
         for (const Index j : sorted.converged) values.push_back(shift + 1.0 / ritz.thetas[j]);
         num_barren = sorted.converged.empty() ? num_barren + 1 : 0;
-        first = lanczos.vectors(ritz, sorted.unconverged);
         append_columns(locked, lanczos.vectors(ritz, sorted.converged));
+        if (values.size() < slice.num_wanted) first = lanczos.vectors(ritz, sorted.unconverged);
     }
 
     std::vector<std::size_t> by_value(values.size());
