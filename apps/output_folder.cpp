@@ -41,7 +41,7 @@ Flag output_flag() {
 }
 
 std::filesystem::path output_folder(const Arguments& arguments) {
-    const std::filesystem::path folder = arguments.value(kOutputFlag).value();
+    std::filesystem::path folder = arguments.value(kOutputFlag).value();
     check_writable(folder);
     return folder;
 }

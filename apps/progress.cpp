@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kStageWidth = 12;
 constexpr std::size_t kBarWidth = 40;
+constexpr std::chrono::milliseconds kRedrawAfter{100};
 
 }  // namespace
 
@@ -24,7 +25,8 @@ void Progress::begin(std::string_view stage) {
     stage_ = stage;
     stage_.resize(std::max(stage_.size(), kStageWidth), ' ');
     percent_ = 0;
-    draw(stage_ + "...");
+    const bool is_new = stages_.insert(stage_).second;
+    if (is_new || std::chrono::steady_clock::now() - drawn_at_ > kRedrawAfter) draw(stage_ + "...");
 }
 
 void Progress::update(std::size_t num_done, std::size_t num_all) {
@@ -49,6 +51,7 @@ void Progress::draw(const std::string& line) {
     const std::size_t num_left = num_drawn_ > line.size() ? num_drawn_ - line.size() : 0;
     std::cerr << '\r' + line + std::string(num_left, ' ') << std::flush;
     num_drawn_ = line.size();
+    drawn_at_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace quadcut

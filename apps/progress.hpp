@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -22,7 +24,8 @@ public:
     Progress& operator=(const Progress&) = delete;
     ~Progress() { wipe(); }
 
-    /// Something begins whose length is not known.
+    /// Something begins whose length is not known. What begins again and again is not drawn
+    /// each time.
     void begin(std::string_view stage);
     /// So much of the current stage is done. Cheap enough to be called a million times.
     void update(std::size_t num_done, std::size_t num_all);
@@ -34,6 +37,8 @@ private:
 
     ProgressStyle style_;
     std::string stage_;
+    std::set<std::string> stages_;
+    std::chrono::steady_clock::time_point drawn_at_;
     std::size_t percent_ = 0;
     std::size_t num_drawn_ = 0;
 };
