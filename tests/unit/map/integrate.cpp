@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "io/map_file.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
-#include "quadcut/map/map_file.hpp"
 
 namespace quadcut {
 namespace {
@@ -156,7 +156,7 @@ TEST(Integrate, InThePaperOneMissClearsAndOneHitMarks) {
 TEST(Integrate, AScanWithoutAPlaceChangesNothing) {
     OccupancyMap map(0.05);
     integrate_scan(map, round_scan(0.0, 0.0, 2.0F));
-    const std::vector<std::byte> before = encode_map(map);
+    const std::vector<std::byte> before = io::encode_map(map);
     const double nan = std::nan("");
     for (const Pose pose : {Pose{nan, 0.0, 0.0}, Pose{0.0, nan, 0.0}, Pose{0.0, 0.0, nan},
                             Pose{1e9, 0.0, 0.0}, Pose{0.0, -1e300, 0.0}, Pose{1e6, 1e6, 0.0}}) {
@@ -167,7 +167,7 @@ TEST(Integrate, AScanWithoutAPlaceChangesNothing) {
     Scan scan = round_scan(0.0, 0.0, 2.0F);
     scan.angle_step_rad = nan;
     EXPECT_THROW(integrate_scan(map, scan), InputError);
-    EXPECT_EQ(encode_map(map), before);
+    EXPECT_EQ(io::encode_map(map), before);
 }
 
 TEST(Integrate, AFinerMapThanTheRangeAllowsIsRefused) {
@@ -213,7 +213,7 @@ TEST(Integrate, AWholeLogIsItsScansOneByOne) {
     std::size_t num_done = 0;
     const OccupancyMap whole =
         map_from_scans(scans, 0.05, {}, [&](std::size_t done) { num_done = done; });
-    EXPECT_EQ(encode_map(whole), encode_map(one_by_one));
+    EXPECT_EQ(io::encode_map(whole), io::encode_map(one_by_one));
     EXPECT_EQ(num_done, scans.size());
     scans[7].world_from_sensor.x = 1e12;
     try {

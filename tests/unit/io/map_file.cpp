@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/map/map_file.hpp"
+#include "io/map_file.hpp"
 
 #include <cstring>
 #include <stdexcept>
@@ -43,7 +43,7 @@ std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
 
 std::string message_of(const std::vector<std::byte>& bytes) {
     try {
-        static_cast<void>(decode_map(bytes, "test.map"));
+        static_cast<void>(io::decode_map(bytes, "test.map"));
     } catch (const InputError& error) {
         return error.what();
     }
@@ -52,9 +52,9 @@ std::string message_of(const std::vector<std::byte>& bytes) {
 
 TEST(MapFile, ComesBackAsItWas) {
     const OccupancyMap map = small_map();
-    const std::vector<std::byte> bytes = encode_map(map);
-    const OccupancyMap again = decode_map(bytes, "test.map");
-    EXPECT_EQ(encode_map(again), bytes);
+    const std::vector<std::byte> bytes = io::encode_map(map);
+    const OccupancyMap again = io::decode_map(bytes, "test.map");
+    EXPECT_EQ(io::encode_map(again), bytes);
     EXPECT_EQ(again.leaves(), map.leaves());
     EXPECT_EQ(again.num_leaves(), map.num_leaves());
     EXPECT_EQ(again.root(), map.root());
@@ -77,26 +77,26 @@ TEST(MapFile, BytesDoNotTellHowTheMapCameAbout) {
         detour.set_state({i, i}, map.state({i, i}));
     }
     detour.commit();
-    EXPECT_EQ(encode_map(detour), encode_map(map));
+    EXPECT_EQ(io::encode_map(detour), io::encode_map(map));
 }
 
 TEST(MapFile, EmptyMapsComeBack) {
-    const std::vector<std::byte> unplaced = encode_map(OccupancyMap(0.1));
-    EXPECT_FALSE(decode_map(unplaced, "test.map").is_placed());
-    EXPECT_EQ(encode_map(decode_map(unplaced, "test.map")), unplaced);
-    const std::vector<std::byte> placed = encode_map(OccupancyMap(0.1, {}, Root{{-64, 0}, 9}));
-    EXPECT_EQ(decode_map(placed, "test.map").root(), (Root{{-64, 0}, 9}));
-    EXPECT_EQ(encode_map(decode_map(placed, "test.map")), placed);
+    const std::vector<std::byte> unplaced = io::encode_map(OccupancyMap(0.1));
+    EXPECT_FALSE(io::decode_map(unplaced, "test.map").is_placed());
+    EXPECT_EQ(io::encode_map(io::decode_map(unplaced, "test.map")), unplaced);
+    const std::vector<std::byte> placed = io::encode_map(OccupancyMap(0.1, {}, Root{{-64, 0}, 9}));
+    EXPECT_EQ(io::decode_map(placed, "test.map").root(), (Root{{-64, 0}, 9}));
+    EXPECT_EQ(io::encode_map(io::decode_map(placed, "test.map")), placed);
 }
 
 TEST(MapFile, PendingWritesAreNotSaved) {
     OccupancyMap map(0.05);
     map.set_state({0, 0}, CellState::free);
-    EXPECT_THROW(static_cast<void>(encode_map(map)), std::logic_error);
+    EXPECT_THROW(static_cast<void>(io::encode_map(map)), std::logic_error);
 }
 
 TEST(MapFile, EveryTruncationIsRefused) {
-    const std::vector<std::byte> bytes = encode_map(small_map());
+    const std::vector<std::byte> bytes = io::encode_map(small_map());
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         EXPECT_NE(message_of({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}),
                   "")
@@ -105,7 +105,7 @@ TEST(MapFile, EveryTruncationIsRefused) {
 }
 
 TEST(MapFile, EveryFlippedBitIsRefused) {
-    const std::vector<std::byte> bytes = encode_map(small_map());
+    const std::vector<std::byte> bytes = io::encode_map(small_map());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         std::vector<std::byte> damaged = bytes;
         damaged[i] ^= std::byte{0x10};
@@ -114,14 +114,14 @@ TEST(MapFile, EveryFlippedBitIsRefused) {
 }
 
 TEST(MapFile, WhatIsSealedButWrongIsRefusedOrReadExactly) {
-    const std::vector<std::byte> bytes = encode_map(small_map());
+    const std::vector<std::byte> bytes = io::encode_map(small_map());
     for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
         for (const int value : {0x00, 0x01, 0x7F, 0x80, 0xFF}) {
             std::vector<std::byte> forged = bytes;
             forged[i] = static_cast<std::byte>(value);
             forged = sealed(std::move(forged));
             try {
-                EXPECT_EQ(encode_map(decode_map(forged, "test.map")), forged) << i;
+                EXPECT_EQ(io::encode_map(io::decode_map(forged, "test.map")), forged) << i;
             } catch (const InputError&) {
                 continue;
             }
@@ -130,7 +130,7 @@ TEST(MapFile, WhatIsSealedButWrongIsRefusedOrReadExactly) {
 }
 
 TEST(MapFile, MessagesNameFileAndPlace) {
-    const std::vector<std::byte> bytes = encode_map(small_map());
+    const std::vector<std::byte> bytes = io::encode_map(small_map());
     EXPECT_NE(message_of({}).find("test.map: byte 0"), std::string::npos);
     const char text[] = "solid this is no map at all";
     std::vector<std::byte> other(sizeof(text));

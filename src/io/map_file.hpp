@@ -9,7 +9,7 @@
 
 #include "quadcut/map/occupancy_map.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 
 /// A map as bytes, the same on every machine. Equal maps (log-odds, root, resolution, pose) give
 /// equal bytes, whatever their history. Throws std::logic_error while writes are pending.
@@ -27,4 +27,4 @@ namespace quadcut {
 /// that names the byte and what was expected there.
 [[nodiscard]] OccupancyMap decode_map(std::span<const std::byte> bytes, const std::string& name);
 
-}  // namespace quadcut
+}  // namespace quadcut::io

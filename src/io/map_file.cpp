@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/map/map_file.hpp"
+#include "io/map_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "quadcut/base/error.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic{'Q', 'U', 'A', 'D', 'M', 'A', 'P', 0x1A};
@@ -256,4 +256,4 @@ OccupancyMap decode_map(std::span<const std::byte> bytes, const std::string& nam
     return map;
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io
