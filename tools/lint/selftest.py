@@ -103,9 +103,9 @@ class Budgets(unittest.TestCase):
             self.assertEqual(1, len(budgets.check(tree_of(src__io__a_cpp=text))), text[:40])
 
     def test_core(self):
-        files = {f"src__quadcut__map__a{i}_cpp": "int a;\n" * 300 for i in range(21)}
+        files = {f"src__quadcut__map__a{i}_cpp": "int a;\n" * 300 for i in range(24)}
         self.assertEqual(1, len(budgets.check(tree_of(**files))))
-        files = {f"src__quadcut__map__a{i}_cpp": "// a\n\n" * 199 for i in range(21)}
+        files = {f"src__quadcut__map__a{i}_cpp": "// a\n\n" * 199 for i in range(24)}
         self.assertEqual([], budgets.check(tree_of(**files)))
 
 
