@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/carmen.hpp"
+#include "io/map_server.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
@@ -24,25 +25,23 @@ namespace {
 
 constexpr int kRepeats = 9;
 constexpr std::size_t kNumLookups = 10'000'000;
+constexpr std::size_t kPasses = 10;  // over a tenth as many cells
 
 /// One int8 a cell over a rectangle that is known beforehand.
 class FlatGrid {
 public:
-    FlatGrid(Cell low, Cell high) : cells_(low, high.x - low.x + 1, high.y - low.y + 1) {}
+    /// All 0. @pre so is `box`.
+    explicit FlatGrid(Raster<std::int8_t> box) : cells_(std::move(box)) {}
 
     [[nodiscard]] int log_odds(Cell cell) const {
         const auto x = static_cast<std::uint32_t>(cell.x - cells_.origin.x);
         const auto y = static_cast<std::uint32_t>(cell.y - cells_.origin.y);
         const auto width = static_cast<std::uint32_t>(cells_.width);
-        if (x >= width || y >= static_cast<std::uint32_t>(cells_.height)) {
-            return 0;
-        }
+        if (x >= width || y >= static_cast<std::uint32_t>(cells_.height)) return 0;
         return cells_.values[std::size_t{y} * width + x];
     }
     void set(Cell cell, int log_odds) {
-        if (cells_.contains(cell)) {
-            cells_.at(cell) = static_cast<std::int8_t>(log_odds);
-        }
+        if (cells_.contains(cell)) cells_.at(cell) = static_cast<std::int8_t>(log_odds);
     }
     [[nodiscard]] std::size_t bytes() const { return cells_.values.capacity(); }
 
@@ -58,9 +57,7 @@ public:
     [[nodiscard]] int log_odds(Cell cell) const {
         const Cell at{cell.x - root_.lower_left.x, cell.y - root_.lower_left.y};
         const std::int32_t side = root_.side_cells();
-        if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) {
-            return 0;
-        }
+        if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return 0;
         const Node* node = &top_;
         for (int level = root_.level - 1; node->children; --level) {
             node = &node->children[child(at, level)];
@@ -89,20 +86,14 @@ private:
             return;
         }
         if (!node.children) {
-            if (node.value == value) {
-                return;
-            }
+            if (node.value == value) return;
             node.children = std::make_unique<Node[]>(4);
-            for (std::size_t i = 0; i < 4; ++i) {
-                node.children[i].value = node.value;
-            }
+            for (std::size_t i = 0; i < 4; ++i) node.children[i].value = node.value;
             ++num_inner_;
         }
         set(node.children[child(at, level - 1)], at, level - 1, value);
         for (std::size_t i = 0; i < 4; ++i) {
-            if (node.children[i].children || node.children[i].value != value) {
-                return;
-            }
+            if (node.children[i].children || node.children[i].value != value) return;
         }
         node.children.reset();
         node.value = value;
@@ -125,9 +116,7 @@ double milliseconds(const std::function<void()>& work) {
 template <typename Work>
 double median_of_nine(const Work& work) {
     std::vector<double> times(kRepeats);
-    for (double& time : times) {
-        time = milliseconds(work);
-    }
+    for (double& time : times) time = milliseconds(work);
     std::nth_element(times.begin(), times.begin() + kRepeats / 2, times.end());
     return times[kRepeats / 2];
 }
@@ -137,55 +126,58 @@ struct Row {
     std::string structure;
     double build_ms = 0.0;
     std::size_t bytes = 0;
-    double lookups_ms = 0.0;
+    std::vector<double> times_ms;  // of the look-ups, ascending
     long long checksum = 0;
+
+    [[nodiscard]] double median_ms() const { return times_ms[times_ms.size() / 2]; }
 };
 
-class Bench {
-public:
-    Bench(std::string world, Cell low, Cell high) : world_(std::move(world)) {
-        Random random(1);
-        cells_.resize(kNumLookups);
-        for (Cell& cell : cells_) {
-            const auto pick = [&](std::int32_t from, std::int32_t to) {
-                return from + static_cast<std::int32_t>(
-                                  random.below(static_cast<std::uint64_t>(to - from + 1)));
-            };
-            cell = {pick(low.x, high.x), pick(low.y, high.y)};
-        }
-    }
-
-    template <typename Map>
-    void measure(const std::string& structure, double build_ms, const Map& map) {
-        Row row{world_, structure, build_ms, map.bytes(), 0.0, 0};
-        row.lookups_ms = median_of_nine([&] {
-            long long sum = 0;
-            for (const Cell& cell : cells_) {
-                sum += map.log_odds(cell);
-            }
-            row.checksum = sum;
-        });
-        rows_.push_back(row);
-    }
-
-    /// The table, with ratios to the first row.
-    void print() const {
-        for (const Row& row : rows_) {
-            const Row& flat = rows_.front();
-            std::printf("%-22s %-18s %10.1f ms %12zu bytes %6.1f %% %8.1f ms  x %.2f%s\n",
-                        row.world.c_str(), row.structure.c_str(), row.build_ms, row.bytes,
-                        100.0 * static_cast<double>(row.bytes) / static_cast<double>(flat.bytes),
-                        row.lookups_ms, row.lookups_ms / flat.lookups_ms,
-                        row.checksum == flat.checksum ? "" : "  DIFFERENT CELLS");
-        }
-    }
-    [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-
-private:
-    std::string world_;
-    std::vector<Cell> cells_;
-    std::vector<Row> rows_;
+struct Built {
+    double flat_ms = 0.0;
+    double map_ms = 0.0;
+    double tree_ms = 0.0;
 };
+
+/// 10^7 random look-ups in each structure, nine times in turn, so that what else the machine does
+/// meets them alike. Prints the table, with ratios to the flat grid.
+std::vector<Row> compare(const std::string& world, const Raster<std::int8_t>& box, Built built,
+                         const FlatGrid& flat, const OccupancyMap& map,
+                         const PointerQuadtree& tree) {
+    Random random(1);
+    std::vector<Cell> cells(kNumLookups / kPasses);
+    for (Cell& cell : cells) {
+        const auto pick = [&](std::int32_t low, std::int32_t count) {
+            return low + static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(count)));
+        };
+        cell = {pick(box.origin.x, box.width), pick(box.origin.y, box.height)};
+    }
+    const auto look_up = [&](const auto& structure) {
+        long long sum = 0;
+        for (std::size_t pass = 0; pass < kPasses; ++pass) {
+            for (const Cell& cell : cells) sum += structure.log_odds(cell);
+        }
+        return sum;
+    };
+    std::vector<Row> rows{{world, "flat grid", built.flat_ms, flat.bytes(), {}, 0},
+                          {world, "quadcut", built.map_ms, map.bytes(), {}, 0},
+                          {world, "pointer quadtree", built.tree_ms, tree.bytes(), {}, 0}};
+    for (int repeat = 0; repeat < kRepeats; ++repeat) {
+        rows[0].times_ms.push_back(milliseconds([&] { rows[0].checksum = look_up(flat); }));
+        rows[1].times_ms.push_back(milliseconds([&] { rows[1].checksum = look_up(map); }));
+        rows[2].times_ms.push_back(milliseconds([&] { rows[2].checksum = look_up(tree); }));
+    }
+    for (Row& row : rows) {
+        std::sort(row.times_ms.begin(), row.times_ms.end());
+        std::printf(
+            "%-22s %-18s %10.1f ms %12zu bytes %6.1f %% %8.1f ms  x %.2f  (least x %.2f)%s\n",
+            row.world.c_str(), row.structure.c_str(), row.build_ms, row.bytes,
+            100.0 * static_cast<double>(row.bytes) / static_cast<double>(rows[0].bytes),
+            row.median_ms(), row.median_ms() / rows[0].median_ms(),
+            row.times_ms.front() / rows[0].times_ms.front(),
+            row.checksum == rows[0].checksum ? "" : "  DIFFERENT CELLS");
+    }
+    return rows;
+}
 
 void set_box(Raster<CellState>& states, Cell low, Cell size, CellState state) {
     for (std::int32_t y = std::max(0, low.y); y < std::min(low.y + size.y, states.height); ++y) {
@@ -244,36 +236,24 @@ std::vector<Row> bench_raster(const std::string& name, const GridMap& grid) {
     const double map_ms = median_of_nine(
         [&] { map = std::make_unique<OccupancyMap>(OccupancyMap::from_grid(grid)); });
     const Raster<CellState> known = map->to_raster();
-    const Cell low = known.origin;
-    const Cell high{low.x + known.width - 1, low.y + known.height - 1};
-    const auto value = [&](Cell cell) {
-        const CellState state = states.at(cell);
-        return state == CellState::unknown ? 0
-               : state == CellState::free  ? kMinLogOdds
-                                           : kMaxLogOdds;
-    };
+    const Raster<std::int8_t> box(known.origin, known.width, known.height);
     const auto fill = [&](auto& structure) {
-        for (std::int32_t y = low.y; y <= high.y; ++y) {
-            for (std::int32_t x = low.x; x <= high.x; ++x) {
-                structure.set({x, y}, value({x, y}));
-            }
+        for (std::size_t i = 0; i < box.values.size(); ++i) {
+            const Cell cell = box.cell(i);
+            const CellState state = states.at(cell);
+            structure.set(cell, state == CellState::unknown ? 0
+                                : state == CellState::free  ? kMinLogOdds
+                                                            : kMaxLogOdds);
         }
     };
-    Bench bench(name, low, high);
-    std::unique_ptr<FlatGrid> flat;
+    FlatGrid flat(box);
     const double flat_ms = median_of_nine([&] {
-        flat = std::make_unique<FlatGrid>(low, high);
-        fill(*flat);
+        flat = FlatGrid(box);
+        fill(flat);
     });
-    bench.measure("flat grid", flat_ms, *flat);
-    flat.reset();
-    bench.measure("quadcut", map_ms, *map);
     PointerQuadtree tree(map->root());
-    map.reset();
     const double tree_ms = milliseconds([&] { fill(tree); });
-    bench.measure("pointer quadtree", tree_ms, tree);
-    bench.print();
-    return bench.rows();
+    return compare(name, box, {flat_ms, map_ms, tree_ms}, flat, *map, tree);
 }
 
 /// The same evidence, scan by scan, into each structure.
@@ -288,9 +268,7 @@ void replay(Structure& structure, const std::vector<std::vector<TileEvidence>>& 
                     const Cell cell{one.tile.x * 8 + i % 8, one.tile.y * 8 + i / 8};
                     const int before = structure.log_odds(cell);
                     const int after{bounded_sum(before, hit ? options.hit : options.miss)};
-                    if (after != before) {
-                        structure.set(cell, after);
-                    }
+                    if (after != before) structure.set(cell, after);
                 }
             }
         }
@@ -318,22 +296,34 @@ std::vector<Row> bench_log(const std::string& name, const std::filesystem::path&
         }
     });
     const Raster<CellState> known = map.to_raster();
-    const Cell low = known.origin;
-    const Cell high{low.x + known.width - 1, low.y + known.height - 1};
-
-    Bench bench(name, low, high);
-    FlatGrid flat(low, high);
+    const Raster<std::int8_t> box(known.origin, known.width, known.height);
+    FlatGrid flat(box);
     const double flat_ms = median_of_nine([&] {
-        flat = FlatGrid(low, high);
+        flat = FlatGrid(box);
         replay(flat, scans);
     });
-    bench.measure("flat grid", flat_ms, flat);
-    bench.measure("quadcut", map_ms, map);
     PointerQuadtree tree(map.root());
     const double tree_ms = milliseconds([&] { replay(tree, scans); });
-    bench.measure("pointer quadtree", tree_ms, tree);
-    bench.print();
-    return bench.rows();
+    return compare(name, box, {flat_ms, map_ms, tree_ms}, flat, map, tree);
+}
+
+/// Bytes only, of every map with hand-made rooms.
+void print_bytes_of_rooms(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder)) {
+        std::printf("rooms: left out, there is no %s\n", folder.c_str());
+        return;
+    }
+    std::vector<double> shares;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".yaml") continue;
+        const OccupancyMap map = OccupancyMap::from_grid(io::read_map(entry.path()).map);
+        shares.push_back(100.0 * static_cast<double>(map.bytes()) /
+                         static_cast<double>(map.to_raster().values.size()));
+    }
+    std::sort(shares.begin(), shares.end());
+    std::printf(
+        "%zu maps with rooms: %.1f %% to %.1f %% of the flat grid's bytes, median %.1f %%\n",
+        shares.size(), shares.front(), shares.back(), shares[shares.size() / 2]);
 }
 
 void write_json(const std::string& path, const std::vector<Row>& rows) {
@@ -343,12 +333,10 @@ void write_json(const std::string& path, const std::vector<Row>& rows) {
         const Row& row = rows[i];
         file << (i == 0 ? "\n" : ",\n") << R"(  {"world": ")" << row.world << R"(", "structure": ")"
              << row.structure << R"(", "build_ms": )" << row.build_ms << R"(, "bytes": )"
-             << row.bytes << R"(, "lookups_ms": )" << row.lookups_ms << "}";
+             << row.bytes << R"(, "lookups_ms": )" << row.median_ms() << "}";
     }
     file << "\n]}\n";
-    if (!file.flush()) {
-        std::fprintf(stderr, "micro_map: cannot write %s\n", path.c_str());
-    }
+    if (!file.flush()) std::fprintf(stderr, "micro_map: cannot write %s\n", path.c_str());
 }
 
 }  // namespace
@@ -367,10 +355,9 @@ int main(int argc, char** argv) {
          quadcut::bench_raster("office 10,000 x 10,000", quadcut::office_floor(10'000))) {
         rows.push_back(row);
     }
+    quadcut::print_bytes_of_rooms(logs / "../rooms");
     for (int i = 1; i + 1 < argc; ++i) {
-        if (std::string(argv[i]) == "-o") {
-            quadcut::write_json(argv[i + 1], rows);
-        }
+        if (std::string(argv[i]) == "-o") quadcut::write_json(argv[i + 1], rows);
     }
     return 0;
 }

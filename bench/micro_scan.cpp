@@ -134,17 +134,13 @@ void bench(const std::string& name, const std::vector<Scan>& scans) {
     std::printf("%s: %zu scans of %zu beams\n", name.c_str(), scans.size(),
                 scans.front().ranges_m.size());
     std::vector<Sight> sights;
-    for (const Scan& scan : scans) {
-        sights.push_back(sight_of(scan));
-    }
+    for (const Scan& scan : scans) sights.push_back(sight_of(scan));
     measure("star", sights, by_star);
     measure("rays", sights, by_rays);
     measure("polar", sights, by_polar);
     const double whole = median_us_per_scan(scans.size(), [&] {
         OccupancyMap map(kResolution);
-        for (const Scan& scan : scans) {
-            integrate_scan(map, scan);
-        }
+        for (const Scan& scan : scans) integrate_scan(map, scan);
     });
     std::printf("  %-8s %8.1f us a scan, from the scan to the committed map\n", "whole", whole);
 }

@@ -25,22 +25,23 @@ TileStore::TileStore() : tiles_(kNumUniform) {
 }
 
 Tile& TileStore::writable_tile(Cell tile) {
-    std::uint32_t& entry = directory_.at(tile);
-    if (entry >= kNumUniform) return tiles_[entry];
-    const Tile uniform = tiles_[entry];
-    if (!free_.empty()) {
-        entry = free_.back();
+    std::uint32_t place = number(tile);
+    if (place >= kNumUniform) return tiles_[place];
+    const Tile uniform = tiles_[place];
+    if (free_.empty()) {
+        if (tiles_.size() == tiles_.capacity()) {
+            // An eighth at a time: a quarter of a doubled pool would lie idle on average.
+            tiles_.reserve(tiles_.size() + std::max<std::size_t>(32, tiles_.size() / 8));
+        }
+        place = static_cast<std::uint32_t>(tiles_.size());
+        tiles_.push_back(uniform);
+    } else {
+        place = free_.back();
         free_.pop_back();
-        tiles_[entry] = uniform;
-        return tiles_[entry];
+        tiles_[place] = uniform;
     }
-    if (tiles_.size() == tiles_.capacity()) {
-        // An eighth at a time: a quarter of a doubled pool would lie idle on average.
-        tiles_.reserve(tiles_.size() + std::max<std::size_t>(32, tiles_.size() / 8));
-    }
-    entry = static_cast<std::uint32_t>(tiles_.size());
-    tiles_.push_back(uniform);
-    return tiles_.back();
+    set_number(tile, place);
+    return tiles_[place];
 }
 
 void TileStore::set_tile(Cell tile, const Tile& values) {
@@ -52,26 +53,27 @@ void TileStore::set_tile(Cell tile, const Tile& values) {
 }
 
 void TileStore::make_uniform(Cell tile, int log_odds) {
-    std::uint32_t& entry = directory_.at(tile);
-    if (entry >= kNumUniform) free_.push_back(entry);
-    entry = uniform_number(log_odds);
+    if (!is_uniform(tile)) free_.push_back(number(tile));
+    set_number(tile, uniform_number(log_odds));
 }
 
 void TileStore::collapse(Cell tile) {
-    if (is_uniform(tile)) return;
-    const Tile& values = tiles_[directory_.at(tile)];
-    if (has_one_value(values)) make_uniform(tile, values.values.front());
+    const Tile& values = tiles_[number(tile)];
+    if (!is_uniform(tile) && has_one_value(values)) make_uniform(tile, values.values.front());
 }
 
 void TileStore::set_rectangle(Cell low, Cell high) {
-    Raster<std::uint32_t> larger(low, high.x - low.x + 1, high.y - low.y + 1, uniform_number(0));
-    for (std::int32_t row = 0; row < directory_.height; ++row) {
-        const Cell first{directory_.origin.x, directory_.origin.y + row};
-        const auto from = directory_.values.begin() + std::ptrdiff_t{row} * directory_.width;
-        std::copy(from, from + directory_.width,
-                  larger.values.begin() + static_cast<std::ptrdiff_t>(larger.offset(first)));
+    TileStore larger;
+    larger.directory_ = {low, high.x - low.x + 1, high.y - low.y + 1};
+    for (std::size_t i = 0; i < larger.directory_.values.size(); ++i) {
+        const Cell tile = larger.directory_.cell(i);
+        larger.set_number(tile, number(tile));
     }
-    directory_ = std::move(larger);
+    directory_ = std::move(larger.directory_);
+    low_x_ = static_cast<std::uint32_t>(low.x) * kTileSide;
+    low_y_ = static_cast<std::uint32_t>(low.y) * kTileSide;
+    width_ = static_cast<std::uint32_t>(directory_.width) * kTileSide;
+    height_ = static_cast<std::uint32_t>(directory_.height) * kTileSide;
 }
 
 void TileStore::give_back() {
@@ -82,11 +84,11 @@ void TileStore::compact() {
     std::vector<Tile> tiles;
     tiles.reserve(kNumUniform + num_tiles());
     tiles.assign(tiles_.begin(), tiles_.begin() + kNumUniform);
-    for (std::uint32_t& number : directory_.values) {
-        if (number >= kNumUniform) {
-            tiles.push_back(tiles_[number]);
-            number = static_cast<std::uint32_t>(tiles.size() - 1);
-        }
+    for (std::size_t i = 0; i < directory_.values.size(); ++i) {
+        const Cell tile = directory_.cell(i);
+        if (is_uniform(tile)) continue;
+        tiles.push_back(tiles_[number(tile)]);
+        set_number(tile, static_cast<std::uint32_t>(tiles.size() - 1));
     }
     tiles_ = std::move(tiles);
     free_ = std::vector<std::uint32_t>{};

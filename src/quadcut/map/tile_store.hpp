@@ -15,15 +15,26 @@ namespace quadcut {
 /// Log-odds of a rectangle of tiles. A tile of one value costs its directory entry of four bytes,
 /// any other 64 bytes more; tiles that become uniform give their bytes back to a free list.
 ///
-/// Directory entries are tile numbers. The first numbers are shared constant tiles, one for each
-/// value, so that a look-up is two loads and no branch whether its tile is uniform or not.
+/// The first tiles are shared constant ones, one for each value, so that a look-up is two loads and
+/// no branch whether its tile is uniform or not. A directory entry is the place of the tile's
+/// values less 8 y + x of its lower left cell in the rectangle, so that adding 8 y + x of any of
+/// its cells gives the place of that cell: docs/decisions/0001.
 class TileStore {
 public:
     TileStore();
 
     /// Log-odds of a cell; 0 outside the rectangle. O(1).
     [[nodiscard]] int log_odds(Cell cell) const {
-        return tile({cell.x >> kTileBits, cell.y >> kTileBits}).values[cell_in_tile(cell)];
+        // One comparison a side: what is left of the rectangle wraps around to a large number.
+        const std::uint32_t x = static_cast<std::uint32_t>(cell.x) - low_x_;
+        const std::uint32_t y = static_cast<std::uint32_t>(cell.y) - low_y_;
+        if (x >= width_ || y >= height_) return 0;
+        const std::uint32_t entry =
+            directory_
+                .values[std::size_t{y >> kTileBits} * (width_ >> kTileBits) + (x >> kTileBits)];
+        // Tiles are arrays of values, one behind the other.
+        const auto* values = reinterpret_cast<const std::int8_t*>(tiles_.data());
+        return values[entry + kTileSide * y + x];
     }
 
     /// Where a cell lies in its tile.
@@ -70,18 +81,27 @@ private:
         return static_cast<std::uint32_t>(log_odds - kMinLogOdds);
     }
     [[nodiscard]] std::uint32_t number(Cell tile) const {
-        // One comparison a side: what is left of the rectangle wraps around to a large number.
-        const auto x = static_cast<std::uint32_t>(tile.x - directory_.origin.x);
-        const auto y = static_cast<std::uint32_t>(tile.y - directory_.origin.y);
-        const auto width = static_cast<std::uint32_t>(directory_.width);
-        if (x >= width || y >= static_cast<std::uint32_t>(directory_.height)) {
-            return uniform_number(0);
-        }
-        return directory_.values[std::size_t{y} * width + x];
+        if (!directory_.contains(tile)) return uniform_number(0);
+        return (directory_.at(tile) + bias(tile)) / std::uint32_t{kTileCells};
+    }
+    void set_number(Cell tile, std::uint32_t number) {
+        directory_.at(tile) = number * std::uint32_t{kTileCells} - bias(tile);
+    }
+    /// 8 y + x of a tile's lower left cell, counted from the lower left of the rectangle.
+    [[nodiscard]] std::uint32_t bias(Cell tile) const {
+        return static_cast<std::uint32_t>(tile.x - directory_.origin.x) * kTileSide +
+               static_cast<std::uint32_t>(tile.y - directory_.origin.y) * kTileSide * kTileSide;
     }
     void make_uniform(Cell tile, int log_odds);
 
+    static_assert(sizeof(Tile) == kTileCells);
+
     Raster<std::uint32_t> directory_;
+    /// The rectangle in cells.
+    std::uint32_t low_x_ = 0;
+    std::uint32_t low_y_ = 0;
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> free_;
 };
