@@ -3,6 +3,7 @@
 #include "quadcut/spectral/k_means.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,68 +15,115 @@ namespace quadcut {
 namespace {
 
 constexpr std::size_t kSamplesPerChunk = 2048;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double squared_distance(std::span<const double> a, const double* b) {
-    double sum = 0.0;
-    for (std::size_t d = 0; d < a.size(); ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
+std::size_t num_chunks(const Embedding& samples) {
+    return (samples.num_samples + kSamplesPerChunk - 1) / kSamplesPerChunk;
+}
+
+/// Four sums side by side: as one sum, each addition would wait for the one before.
+double squared_distance(std::span<const double> a, std::span<const double> b) {
+    std::array<double, 4> sums{};
+    const std::size_t even = a.size() / 4 * 4;
+    for (std::size_t d = 0; d < even; d += 4) {
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            const double difference = a[d + lane] - b[d + lane];
+            sums[lane] += difference * difference;
+        }
+    }
+    double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    for (std::size_t d = even; d < a.size(); ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
     return sum;
 }
 
-/// Lloyd's steps with Hamerly's bounds: a sample whose own mean is nearer than any other can be
-/// (by the bounds that are kept from step to step) is not compared again.
+/// Means of clusters, one row a cluster, and the number of samples in each.
+struct Means {
+    std::size_t num_dims = 0;
+    std::vector<double> values;
+    std::vector<std::size_t> sizes;
+
+    [[nodiscard]] std::span<const double> row(std::size_t cluster) const {
+        return std::span(values).subspan(cluster * num_dims, num_dims);
+    }
+};
+
+/// Sums chunk by chunk, in order. A cluster without samples has its mean in the origin.
+Means means_of(const Embedding& samples, std::span<const std::uint32_t> labels,
+               std::size_t num_clusters, const Executor& executor) {
+    const std::size_t dims = samples.num_dims;
+    std::vector<Means> parts(num_chunks(samples));
+    const auto add_up = [&](std::size_t first, std::size_t last) {
+        Means part{dims, std::vector<double>(num_clusters * dims, 0.0),
+                   std::vector<std::size_t>(num_clusters, 0)};
+        for (std::size_t i = first; i < last; ++i) {
+            const auto row = samples.row(i);
+            double* sum = part.values.data() + labels[i] * dims;
+            for (std::size_t d = 0; d < dims; ++d) sum[d] += row[d];
+            ++part.sizes[labels[i]];
+        }
+        parts[first / kSamplesPerChunk] = std::move(part);
+    };
+    parallel_for(executor, samples.num_samples, kSamplesPerChunk, add_up);
+    Means means{dims, std::vector<double>(num_clusters * dims, 0.0),
+                std::vector<std::size_t>(num_clusters, 0)};
+    for (const Means& part : parts) {
+        for (std::size_t k = 0; k < part.values.size(); ++k) means.values[k] += part.values[k];
+        for (std::size_t c = 0; c < num_clusters; ++c) means.sizes[c] += part.sizes[c];
+    }
+    for (std::size_t c = 0; c < num_clusters; ++c) {
+        const double size = static_cast<double>(std::max<std::size_t>(1, means.sizes[c]));
+        for (std::size_t d = 0; d < dims; ++d) means.values[c * dims + d] /= size;
+    }
+    return means;
+}
+
+double inertia_of(const Embedding& samples, std::span<const std::uint32_t> labels,
+                  const Means& means) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        sum += squared_distance(samples.row(i), means.row(labels[i]));
+    }
+    return sum;
+}
+
+/// Lloyd's steps with Hamerly's bounds: a sample whose own mean is surely nearer than any other, by
+/// bounds that are kept from step to step, is not compared again.
 class Lloyd {
 public:
-    Lloyd(const Embedding& samples, std::vector<double> means, const Executor& executor)
+    Lloyd(const Embedding& samples, Means means, const Executor& executor)
         : samples_(samples),
           executor_(executor),
-          num_clusters_(means.size() / std::max<std::size_t>(1, samples.num_dims)),
           means_(std::move(means)),
           labels_(samples.num_samples, 0),
-          upper_(samples.num_samples, std::numeric_limits<double>::max()),
+          upper_(samples.num_samples, kInfinity),
           lower_(samples.num_samples, 0.0) {}
 
-    /// Returns the steps taken: until no sample changes its cluster, or `max_steps`.
-    std::size_t run(std::size_t max_steps) {
-        assign();
-        std::size_t step = 0;
-        while (step < max_steps) {
-            ++step;
+    KMeansResult run(std::size_t max_steps) {
+        bool changed = assign();
+        KMeansResult result;
+        while (changed && result.num_steps < max_steps) {
+            ++result.num_steps;
             move_means();
-            if (!assign()) break;
+            changed = assign();
         }
-        return step;
-    }
-
-    KMeansResult result(std::size_t num_steps) const {
-        KMeansResult out;
-        out.num_steps = num_steps;
-        std::vector<std::uint32_t> number(num_clusters_, kUnseen);
-        out.clustering.labels.resize(labels_.size());
-        for (std::size_t i = 0; i < labels_.size(); ++i) {
-            std::uint32_t& own = number[labels_[i]];
-            if (own == kUnseen) own = static_cast<std::uint32_t>(out.clustering.num_clusters++);
-            out.clustering.labels[i] = own;
-            out.inertia += squared_distance(samples_.row(i), mean(labels_[i]));
-        }
-        return out;
+        fill_empty_clusters();
+        result.clustering = renumbered();
+        result.inertia = inertia_of(samples_, labels_, means_);
+        return result;
     }
 
 private:
-    static constexpr std::uint32_t kUnseen = static_cast<std::uint32_t>(-1);
+    [[nodiscard]] std::size_t num_clusters() const { return means_.sizes.size(); }
 
-    [[nodiscard]] const double* mean(std::size_t cluster) const {
-        return &means_[cluster * samples_.num_dims];
-    }
-
-    /// Half the distance from each mean to the nearest other one: within it, a mean is the nearest.
+    /// Half the distance from each mean to the nearest other one: a sample that close to a mean is
+    /// in its cluster.
     [[nodiscard]] std::vector<double> safe_radii() const {
-        std::vector<double> radii(num_clusters_, std::numeric_limits<double>::max());
-        for (std::size_t a = 0; a < num_clusters_; ++a) {
-            for (std::size_t b = 0; b < num_clusters_; ++b) {
-                if (a == b) continue;
-                const double d =
-                    std::sqrt(squared_distance(std::span(mean(a), samples_.num_dims), mean(b)));
-                radii[a] = std::min(radii[a], 0.5 * d);
+        std::vector<double> radii(num_clusters(), kInfinity);
+        for (std::size_t a = 0; a < num_clusters(); ++a) {
+            for (std::size_t b = 0; b < a; ++b) {
+                const double half = 0.5 * std::sqrt(squared_distance(means_.row(a), means_.row(b)));
+                radii[a] = std::min(radii[a], half);
+                radii[b] = std::min(radii[b], half);
             }
         }
         return radii;
@@ -85,133 +133,139 @@ private:
     /// changed.
     bool assign() {
         const std::vector<double> safe = safe_radii();
-        const std::size_t num_chunks =
-            (samples_.num_samples + kSamplesPerChunk - 1) / kSamplesPerChunk;
-        std::vector<std::uint8_t> changed(num_chunks, 0);
-        parallel_for(executor_, samples_.num_samples, kSamplesPerChunk,
-                     [&](std::size_t first, std::size_t last) {
-                         for (std::size_t i = first; i < last; ++i) {
-                             if (assign_sample(i, safe)) changed[first / kSamplesPerChunk] = 1;
-                         }
-                     });
+        std::vector<std::uint8_t> changed(num_chunks(samples_), 0);
+        const auto assign_chunk = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (assign_sample(i, safe)) changed[first / kSamplesPerChunk] = 1;
+            }
+        };
+        parallel_for(executor_, samples_.num_samples, kSamplesPerChunk, assign_chunk);
         return std::find(changed.begin(), changed.end(), 1) != changed.end();
     }
 
     bool assign_sample(std::size_t i, const std::vector<double>& safe) {
         const double bound = std::max(safe[labels_[i]], lower_[i]);
-        if (upper_[i] < bound) return false;
         const auto row = samples_.row(i);
-        upper_[i] = std::sqrt(squared_distance(row, mean(labels_[i])));
         if (upper_[i] < bound) return false;
-        double nearest = std::numeric_limits<double>::max();
-        double second = std::numeric_limits<double>::max();
+        if (upper_[i] < kInfinity) {
+            upper_[i] = std::sqrt(squared_distance(row, means_.row(labels_[i])));
+            if (upper_[i] < bound) return false;
+        }
+        double nearest = kInfinity;
+        double second = kInfinity;
         std::uint32_t best = 0;
-        for (std::uint32_t cluster = 0; cluster < num_clusters_; ++cluster) {
-            const double d = squared_distance(row, mean(cluster));
-            if (d < nearest) {
+        for (std::uint32_t cluster = 0; cluster < num_clusters(); ++cluster) {
+            const double squared = squared_distance(row, means_.row(cluster));
+            if (squared < nearest) {
                 second = nearest;
-                nearest = d;
+                nearest = squared;
                 best = cluster;
-            } else if (d < second) {
-                second = d;
+            } else if (squared < second) {
+                second = squared;
             }
         }
+        const bool is_new = upper_[i] == kInfinity;
         upper_[i] = std::sqrt(nearest);
         lower_[i] = std::sqrt(second);
-        return std::exchange(labels_[i], best) != best;
+        return std::exchange(labels_[i], best) != best || is_new;
     }
 
-    /// Means of the clusters, summed chunk by chunk in order; bounds follow the moves.
+    /// The bounds follow the moves of the means.
     void move_means() {
-        const std::size_t dims = samples_.num_dims;
-        const std::size_t num_chunks =
-            (samples_.num_samples + kSamplesPerChunk - 1) / kSamplesPerChunk;
-        std::vector<std::vector<double>> sums(num_chunks);
-        parallel_for(executor_, samples_.num_samples, kSamplesPerChunk,
-                     [&](std::size_t first, std::size_t last) {
-                         std::vector<double>& sum = sums[first / kSamplesPerChunk];
-                         sum.assign(num_clusters_ * (dims + 1), 0.0);
-                         for (std::size_t i = first; i < last; ++i) {
-                             double* own = &sum[labels_[i] * (dims + 1)];
-                             const auto row = samples_.row(i);
-                             for (std::size_t d = 0; d < dims; ++d) own[d] += row[d];
-                             own[dims] += 1.0;
-                         }
-                     });
-        std::vector<double> total(num_clusters_ * (dims + 1), 0.0);
-        for (const auto& sum : sums) {
-            for (std::size_t k = 0; k < total.size(); ++k) total[k] += sum[k];
+        Means moved = means_of(samples_, labels_, num_clusters(), executor_);
+        if (std::find(moved.sizes.begin(), moved.sizes.end(), std::size_t{0}) !=
+            moved.sizes.end()) {
+            means_ = std::move(moved);
+            fill_empty_clusters();
+            std::fill(upper_.begin(), upper_.end(), kInfinity);
+            return;
         }
-        std::vector<double> moved(num_clusters_, 0.0);
-        for (std::size_t cluster = 0; cluster < num_clusters_; ++cluster) {
-            const double* sum = &total[cluster * (dims + 1)];
-            if (sum[dims] == 0.0) {
-                restart_at_farthest_sample(cluster);
-                return;
-            }
-            double squared = 0.0;
-            for (std::size_t d = 0; d < dims; ++d) {
-                double& value = means_[cluster * dims + d];
-                const double next = sum[d] / sum[dims];
-                squared += (next - value) * (next - value);
-                value = next;
-            }
-            moved[cluster] = std::sqrt(squared);
+        std::vector<double> distance(num_clusters());
+        for (std::size_t c = 0; c < num_clusters(); ++c) {
+            distance[c] = std::sqrt(squared_distance(means_.row(c), moved.row(c)));
         }
-        const double farthest = *std::max_element(moved.begin(), moved.end());
+        const double farthest = *std::max_element(distance.begin(), distance.end());
         for (std::size_t i = 0; i < labels_.size(); ++i) {
-            upper_[i] += moved[labels_[i]];
+            upper_[i] += distance[labels_[i]];
             lower_[i] -= farthest;
         }
+        means_ = std::move(moved);
     }
 
-    void restart_at_farthest_sample(std::size_t cluster) {
-        std::size_t farthest = 0;
-        double largest = -1.0;
-        for (std::size_t i = 0; i < labels_.size(); ++i) {
-            const double d = squared_distance(samples_.row(i), mean(labels_[i]));
-            if (d > largest) {
-                largest = d;
-                farthest = i;
+    /// Gives each empty cluster the sample that is farthest from its mean, unless every sample lies
+    /// on its mean, and leaves the means those of the labels.
+    void fill_empty_clusters() {
+        means_ = means_of(samples_, labels_, num_clusters(), executor_);
+        for (std::size_t c = 0; c < num_clusters(); ++c) {
+            if (means_.sizes[c] > 0) continue;
+            std::size_t farthest = 0;
+            double largest = 0.0;
+            for (std::size_t i = 0; i < labels_.size(); ++i) {
+                if (means_.sizes[labels_[i]] < 2) continue;
+                const double squared = squared_distance(samples_.row(i), means_.row(labels_[i]));
+                if (squared > largest) {
+                    largest = squared;
+                    farthest = i;
+                }
             }
+            if (largest == 0.0) return;
+            labels_[farthest] = static_cast<std::uint32_t>(c);
+            means_ = means_of(samples_, labels_, num_clusters(), executor_);
         }
-        const auto row = samples_.row(farthest);
-        std::copy(row.begin(), row.end(), &means_[cluster * samples_.num_dims]);
-        // A mean has jumped: no bound holds any more.
-        std::fill(upper_.begin(), upper_.end(), std::numeric_limits<double>::max());
-        std::fill(lower_.begin(), lower_.end(), 0.0);
+    }
+
+    [[nodiscard]] Clustering renumbered() const {
+        constexpr auto kUnseen = std::numeric_limits<std::uint32_t>::max();
+        std::vector<std::uint32_t> number(num_clusters(), kUnseen);
+        Clustering clustering;
+        clustering.labels.resize(labels_.size());
+        for (std::size_t i = 0; i < labels_.size(); ++i) {
+            std::uint32_t& own = number[labels_[i]];
+            if (own == kUnseen) own = static_cast<std::uint32_t>(clustering.num_clusters++);
+            clustering.labels[i] = own;
+        }
+        return clustering;
     }
 
     const Embedding& samples_;
     const Executor& executor_;
-    std::size_t num_clusters_;
-    std::vector<double> means_;
+    Means means_;
     std::vector<std::uint32_t> labels_;
-    /// Bounds of the distances to the own mean (above) and to the nearest other one (below).
+    /// Bounds of the distances to the own mean (above) and to the nearest other one (below); the
+    /// upper one is infinite where nothing is known.
     std::vector<double> upper_;
     std::vector<double> lower_;
 };
 
 /// k-means++: each next mean is a sample drawn by its squared distance to the means so far. Fewer
-/// means than asked for when all samples are means.
-std::vector<double> draw_means(const Embedding& samples, std::size_t num_clusters, Random& random) {
-    std::vector<double> means;
-    std::vector<double> nearest(samples.num_samples, std::numeric_limits<double>::max());
+/// means than asked for when every sample lies on one.
+Means draw_means(const Embedding& samples, std::size_t num_clusters, Random& random,
+                 const Executor& executor) {
+    Means means{samples.num_dims, {}, {}};
+    std::vector<double> nearest(samples.num_samples, kInfinity);
+    std::vector<double> chunk_sums(num_chunks(samples));
     std::size_t chosen = random.below(samples.num_samples);
-    for (std::size_t count = 0; count < num_clusters; ++count) {
-        const auto row = samples.row(chosen);
-        means.insert(means.end(), row.begin(), row.end());
-        const double* mean = &means[count * samples.num_dims];
+    while (means.sizes.size() < num_clusters) {
+        const auto mean = samples.row(chosen);
+        means.values.insert(means.values.end(), mean.begin(), mean.end());
+        means.sizes.push_back(1);
+        const auto measure = [&](std::size_t first, std::size_t last) {
+            double sum = 0.0;
+            for (std::size_t i = first; i < last; ++i) {
+                nearest[i] = std::min(nearest[i], squared_distance(samples.row(i), mean));
+                sum += nearest[i];
+            }
+            chunk_sums[first / kSamplesPerChunk] = sum;
+        };
+        parallel_for(executor, samples.num_samples, kSamplesPerChunk, measure);
         double total = 0.0;
-        for (std::size_t i = 0; i < samples.num_samples; ++i) {
-            nearest[i] = std::min(nearest[i], squared_distance(samples.row(i), mean));
-            total += nearest[i];
-        }
-        if (total == 0.0) break;
+        for (const double sum : chunk_sums) total += sum;
+        if (!(total > 0.0)) break;
         double at = random.uniform() * total;
-        for (chosen = 0; chosen + 1 < samples.num_samples; ++chosen) {
-            at -= nearest[chosen];
-            if (at < 0.0 && nearest[chosen] > 0.0) break;
+        for (std::size_t i = 0; i < samples.num_samples; ++i) {
+            if (nearest[i] > 0.0) chosen = i;
+            at -= nearest[i];
+            if (at < 0.0) break;
         }
     }
     return means;
@@ -223,17 +277,13 @@ KMeansResult cluster_k_means(const Embedding& samples, std::size_t num_clusters,
                              const KMeansOptions& options, const Executor& executor) {
     if (samples.num_samples == 0) return {};
     if (num_clusters == 0) throw std::logic_error("cluster_k_means: no clusters asked for");
-    if (samples.num_dims == 0)
-        return {{std::vector<std::uint32_t>(samples.num_samples, 0), 1}, 0.0, 0};
+    const Random streams(options.seed);
     KMeansResult best;
-    best.inertia = std::numeric_limits<double>::max();
-    const Random base(options.seed);
     for (std::size_t start = 0; start < std::max<std::size_t>(1, options.num_starts); ++start) {
-        Random random = base.fork(start);
-        Lloyd lloyd(samples, draw_means(samples, num_clusters, random), executor);
-        const std::size_t num_steps = lloyd.run(options.max_steps);
-        KMeansResult result = lloyd.result(num_steps);
-        if (result.inertia < best.inertia) best = std::move(result);
+        Random random = streams.fork(start);
+        Means means = draw_means(samples, num_clusters, random, executor);
+        KMeansResult result = Lloyd(samples, std::move(means), executor).run(options.max_steps);
+        if (start == 0 || result.inertia < best.inertia) best = std::move(result);
     }
     return best;
 }
@@ -244,19 +294,9 @@ KMeansResult refine_k_means(const Embedding& samples, const Clustering& start,
         throw std::logic_error("refine_k_means: labels and samples differ in number");
     }
     if (samples.num_samples == 0) return {};
-    const std::size_t dims = samples.num_dims;
-    std::vector<double> means(start.num_clusters * dims, 0.0);
-    std::vector<double> sizes(start.num_clusters, 0.0);
-    for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        const auto row = samples.row(i);
-        for (std::size_t d = 0; d < dims; ++d) means[start.labels[i] * dims + d] += row[d];
-        sizes[start.labels[i]] += 1.0;
-    }
-    for (std::size_t k = 0; k < means.size(); ++k) means[k] /= std::max(1.0, sizes[k / dims]);
-    if (max_steps == 0 || dims == 0) return {start, 0.0, 0};
-    Lloyd lloyd(samples, std::move(means), executor);
-    const std::size_t num_steps = lloyd.run(max_steps);
-    return lloyd.result(num_steps);
+    Means means = means_of(samples, start.labels, start.num_clusters, executor);
+    if (max_steps > 0) return Lloyd(samples, std::move(means), executor).run(max_steps);
+    return {start, inertia_of(samples, start.labels, means), 0};
 }
 
 }  // namespace quadcut

@@ -35,8 +35,9 @@ struct KMeansResult {
                                            const KMeansOptions& options = {},
                                            const Executor& executor = {});
 
-/// At most `max_steps` Lloyd steps from the means of a given clustering. A cluster that runs empty
-/// is started again at the sample farthest from its mean.
+/// At most `max_steps` Lloyd steps from the means of a given clustering; 0: the clustering as it
+/// is. A cluster that runs empty gets the sample that is farthest from its mean. Throws
+/// std::logic_error if labels and samples differ in number.
 [[nodiscard]] KMeansResult refine_k_means(const Embedding& samples, const Clustering& start,
                                           std::size_t max_steps, const Executor& executor = {});
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace quadcut {
@@ -72,7 +71,7 @@ Laplacian::Laplacian(const Graph& graph, LaplacianKind kind) : kind_(kind) {
     }
     if (!std::isfinite(largest_row)) throw std::logic_error("Laplacian: an entry overflows");
     if (kind != LaplacianKind::area) largest_row = std::min(largest_row, 2.0);
-    norm_bound_ = std::max(largest_row, std::numeric_limits<double>::min());
+    norm_bound_ = largest_row > 0.0 ? largest_row : 1.0;
 }
 
 void Laplacian::apply(std::span<const double> x, std::span<double> result,

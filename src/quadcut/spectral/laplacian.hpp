@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] std::span<const double> diagonal() const { return diagonal_; }
     /// An upper bound of the largest eigenvalue: the largest absolute row sum, at most 2 where the
-    /// kind promises that. At least the smallest positive normal number.
+    /// kind promises that. Positive: 1 for a matrix of zeros.
     [[nodiscard]] double norm_bound() const { return norm_bound_; }
     /// The vector x with L x = 0 of a connected graph: sqrt(d_i), sqrt(deg_i) or sqrt(area_i), not
     /// scaled. On any graph its restriction to each component is in the null space.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "quadcut/base/error.hpp"
@@ -13,43 +14,47 @@
 namespace quadcut {
 namespace {
 
+/// Share of the norm: eigenvalues below it count as zero.
 constexpr double kZero = 1e-9;
-constexpr double kEqualRows = 1e-6;
-constexpr int kNumPasses = 3;
+constexpr double kSmallResidual = 1e-13;
+constexpr int kMaxPasses = 60;
+/// Of two rows, squared, as a share of their squared lengths.
+constexpr double kEqualRows = 1e-8;
 
 double dot(std::span<const double> a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Takes away what lies along the vectors before, twice, and scales to length 1. Whether anything
-/// is left.
-bool orthonormalize(std::span<double> vector, std::span<const double> before) {
-    const std::size_t n = vector.size();
-    double length = std::sqrt(dot(vector, vector));
+/// Takes away what lies along the vectors before, twice, and scales to length 1.
+void orthonormalize(std::span<double> vector, std::span<const double> before) {
+    const std::size_t size = vector.size();
     for (int pass = 0; pass < 2; ++pass) {
-        for (std::size_t j = 0; j < before.size() / n; ++j) {
-            const auto other = before.subspan(j * n, n);
+        for (std::size_t j = 0; j < before.size() / size; ++j) {
+            const auto other = before.subspan(j * size, size);
             const double along = dot(vector, other);
-            for (std::size_t i = 0; i < n; ++i) vector[i] -= along * other[i];
+            for (std::size_t i = 0; i < size; ++i) vector[i] -= along * other[i];
         }
+        const double length = std::sqrt(dot(vector, vector));
+        if (!(length > 0.0)) throw NumericalError("null space: no direction is left");
+        for (double& value : vector) value /= length;
     }
-    const double left = std::sqrt(dot(vector, vector));
-    if (!(left > 1e-8 * length)) return false;
-    for (double& value : vector) value /= left;
-    return true;
 }
 
-/// One inverse iteration: (L - sigma I)^-1 of a vector in the order of L.
+/// (L - sigma I)^-1 of a vector in the order of L.
 std::vector<double> solve(const ShiftedFactor& factor, std::span<const double> vector) {
     const auto order = factor.order();
     std::vector<double> permuted(vector.size());
     for (std::size_t i = 0; i < order.size(); ++i) permuted[i] = vector[order[i]];
     factor.solve(permuted, 1);
-    std::vector<double> out(vector.size());
-    for (std::size_t i = 0; i < order.size(); ++i) out[order[i]] = permuted[i];
-    return out;
+    std::vector<double> result(vector.size());
+    for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = permuted[i];
+    return result;
+}
+
+double residual(const Laplacian& laplacian, std::span<const double> vector) {
+    std::vector<double> image(vector.size());
+    laplacian.apply(vector, image);
+    return std::sqrt(dot(image, image)) / laplacian.norm_bound();
 }
 
 }  // namespace
@@ -58,25 +63,22 @@ NullSpace find_null_space(const Laplacian& laplacian, std::uint64_t seed) {
     NullSpace space;
     space.num_nodes = laplacian.size();
     if (space.num_nodes == 0) return space;
-    const double norm = laplacian.norm_bound();
     ShiftedFactor factor(laplacian);
-    space.dimension = factor.factorize(kZero * norm).num_below;
-    // Just below zero the matrix is definite and its inverse is almost all null space.
-    factor.factorize(-kZero * norm);
+    space.dimension = factor.factorize(kZero * laplacian.norm_bound()).num_below;
+    // Just below zero the matrix is definite, and its inverse is almost all null space.
+    (void)factor.factorize(-0.1 * kZero * laplacian.norm_bound());
     Random random(seed);
-    std::vector<double> image(space.num_nodes);
     for (std::size_t j = 0; j < space.dimension; ++j) {
         std::vector<double> vector(space.num_nodes);
-        for (double& value : vector) value = random.normal();
-        for (int pass = 0; pass < kNumPasses; ++pass) {
-            if (!orthonormalize(vector, space.vectors)) break;
+        for (double& value : vector) value = random.uniform(-1.0, 1.0);
+        orthonormalize(vector, space.vectors);
+        double left = 1.0;
+        for (int pass = 0; pass < kMaxPasses && left > kSmallResidual; ++pass) {
             vector = solve(factor, vector);
+            orthonormalize(vector, space.vectors);
+            left = residual(laplacian, vector);
         }
-        if (!orthonormalize(vector, space.vectors)) {
-            throw NumericalError("null space: an inverse iteration found no new direction");
-        }
-        laplacian.apply(vector, image);
-        if (!(std::sqrt(dot(image, image)) <= 10.0 * kZero * norm)) {
+        if (!(left <= kZero)) {
             throw NumericalError("null space: an inverse iteration did not converge");
         }
         space.vectors.insert(space.vectors.end(), vector.begin(), vector.end());
@@ -88,36 +90,31 @@ std::vector<std::uint32_t> components_from_null_space(const Graph& graph, Laplac
                                                       std::uint64_t seed) {
     const Laplacian laplacian(graph, kind);
     const NullSpace space = find_null_space(laplacian, seed);
-    const auto null_vector = laplacian.null_vector();
     // Departs from the paper: it sorts eigenvectors by their non-zero elements, yet a solver
-    // returns any rotation of the null space. In every rotation, rows are equal on a component once
-    // they are divided by the null vector. A node without edges has no entry there: it is alone.
+    // returns any rotation of the null space. In every rotation, the rows of the nodes of one
+    // component are equal once they are divided by the null vector, and those of two components are
+    // orthogonal.
+    const auto value = [&](std::size_t node, std::size_t j) {
+        return space.vectors[j * space.num_nodes + node] / laplacian.null_vector()[node];
+    };
+    const auto are_equal = [&](std::size_t a, std::size_t b) {
+        double difference = 0.0;
+        double lengths = 0.0;
+        for (std::size_t j = 0; j < space.dimension; ++j) {
+            const double of_a = value(a, j);
+            const double of_b = value(b, j);
+            difference += (of_a - of_b) * (of_a - of_b);
+            lengths += of_a * of_a + of_b * of_b;
+        }
+        return difference <= kEqualRows * lengths;
+    };
     std::vector<std::uint32_t> component(graph.num_nodes());
     std::vector<std::size_t> first_nodes;
-    const auto row_value = [&](std::size_t node, std::size_t j) {
-        const double scale = null_vector[node] > 0.0 ? null_vector[node] : 1.0;
-        return space.vectors[j * space.num_nodes + node] / scale;
-    };
     for (std::size_t node = 0; node < graph.num_nodes(); ++node) {
-        const auto same =
-            std::find_if(first_nodes.begin(), first_nodes.end(), [&](std::size_t first) {
-                if ((null_vector[node] > 0.0) != (null_vector[first] > 0.0)) return false;
-                double difference = 0.0;
-                double length = 0.0;
-                for (std::size_t j = 0; j < space.dimension; ++j) {
-                    const double a = row_value(node, j);
-                    const double b = row_value(first, j);
-                    difference += (a - b) * (a - b);
-                    length += a * a + b * b;
-                }
-                return difference <= kEqualRows * kEqualRows * length;
-            });
-        if (same == first_nodes.end()) {
-            component[node] = static_cast<std::uint32_t>(first_nodes.size());
-            first_nodes.push_back(node);
-        } else {
-            component[node] = static_cast<std::uint32_t>(same - first_nodes.begin());
-        }
+        const auto same = std::find_if(first_nodes.begin(), first_nodes.end(),
+                                       [&](std::size_t first) { return are_equal(node, first); });
+        component[node] = static_cast<std::uint32_t>(same - first_nodes.begin());
+        if (same == first_nodes.end()) first_nodes.push_back(node);
     }
     return component;
 }

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/spectral/pivoted_qr.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -10,84 +11,89 @@
 namespace quadcut {
 namespace {
 
+using Eigen::Index;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowVector = Eigen::RowVectorXd;
 
-constexpr std::size_t kSamplesPerChunk = 2048;
-constexpr double kRankTolerance = 1e-9;
+constexpr std::size_t kSamplesPerChunk = 1024;
+/// Share of the longest sample's squared length: what is left below it is rounding error.
+constexpr double kRankTolerance = 1e-12;
+
+using Rows = Eigen::Map<const RowMatrix>;
+
+/// Rows first .. last of the samples.
+Rows rows(const Embedding& samples, std::size_t first, std::size_t last) {
+    return {samples.values.data() + first * samples.num_dims, static_cast<Index>(last - first),
+            static_cast<Index>(samples.num_dims)};
+}
 
 /// Samples chosen one by one: the longest after what lies along those before has been taken away
 /// (the pivots of a column-pivoted QR of the transposed embedding), the first of equals.
-std::vector<std::size_t> choose_pivots(const Embedding& samples) {
-    const auto rows = static_cast<Eigen::Index>(samples.num_samples);
-    const auto dims = static_cast<Eigen::Index>(samples.num_dims);
-    const Eigen::Map<const RowMatrix> values(samples.values.data(), rows, dims);
-    Eigen::VectorXd left = values.rowwise().squaredNorm();
-    const double largest = left.maxCoeff();
-    RowMatrix basis(dims, dims);
-    std::vector<std::size_t> pivots;
-    for (Eigen::Index k = 0; k < dims; ++k) {
-        Eigen::Index pivot = 0;
-        if (left.maxCoeff(&pivot) <= kRankTolerance * largest) break;
-        Eigen::RowVectorXd direction = values.row(pivot);
-        // Twice is enough for orthogonality to machine precision.
+RowMatrix choose_pivots(const Embedding& samples, const Executor& executor) {
+    const Index num_dims = static_cast<Index>(samples.num_dims);
+    Eigen::VectorXd left = rows(samples, 0, samples.num_samples).rowwise().squaredNorm();
+    const double smallest = kRankTolerance * left.maxCoeff();
+    RowMatrix directions(num_dims, num_dims);
+    RowMatrix pivots(num_dims, num_dims);
+    Index count = 0;
+    for (; count < num_dims; ++count) {
+        Index pivot = 0;
+        if (!(left.maxCoeff(&pivot) > smallest)) break;
+        pivots.row(count) = rows(samples, 0, samples.num_samples).row(pivot);
+        const auto before = directions.topRows(count);
+        RowVector direction = pivots.row(count);
         for (int pass = 0; pass < 2; ++pass) {
-            direction -= (direction * basis.topRows(k).transpose()) * basis.topRows(k);
+            direction -= (direction * before.transpose()).eval() * before;
         }
-        const double length = direction.norm();
-        if (length * length <= kRankTolerance * largest) break;
-        basis.row(k) = direction / length;
-        left -= (values * basis.row(k).transpose()).cwiseAbs2();
+        directions.row(count) = direction.normalized();
+        parallel_for(
+            executor, samples.num_samples, kSamplesPerChunk,
+            [&](std::size_t first, std::size_t last) {
+                left.segment(static_cast<Index>(first), static_cast<Index>(last - first)) -=
+                    (rows(samples, first, last) * directions.row(count).transpose()).cwiseAbs2();
+            });
         left[pivot] = 0.0;
-        pivots.push_back(static_cast<std::size_t>(pivot));
     }
-    return pivots;
+    return pivots.topRows(count);
 }
 
 /// Labels numbered by first sample; axes without a sample disappear.
 Clustering renumbered(const std::vector<std::uint32_t>& axes, std::size_t num_axes) {
-    constexpr auto kUnseen = static_cast<std::uint32_t>(-1);
+    constexpr auto kUnseen = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> number(num_axes, kUnseen);
-    Clustering out;
-    out.labels.resize(axes.size());
+    Clustering clustering;
+    clustering.labels.resize(axes.size());
     for (std::size_t i = 0; i < axes.size(); ++i) {
         std::uint32_t& own = number[axes[i]];
-        if (own == kUnseen) own = static_cast<std::uint32_t>(out.num_clusters++);
-        out.labels[i] = own;
+        if (own == kUnseen) own = static_cast<std::uint32_t>(clustering.num_clusters++);
+        clustering.labels[i] = own;
     }
-    return out;
+    return clustering;
 }
 
 }  // namespace
 
 Clustering cluster_pivoted_qr(const Embedding& samples, const Executor& executor) {
     if (samples.num_samples == 0) return {};
-    const std::vector<std::size_t> pivots =
-        samples.num_dims == 0 ? std::vector<std::size_t>{} : choose_pivots(samples);
     std::vector<std::uint32_t> axes(samples.num_samples, 0);
-    if (pivots.empty()) return renumbered(axes, 1);
+    if (samples.num_dims == 0) return renumbered(axes, 1);
+    const RowMatrix pivots = choose_pivots(samples, executor);
+    if (pivots.rows() == 0) return renumbered(axes, 1);
 
-    const auto dims = static_cast<Eigen::Index>(samples.num_dims);
-    RowMatrix typical(static_cast<Eigen::Index>(pivots.size()), dims);
-    for (std::size_t k = 0; k < pivots.size(); ++k) {
-        const auto row = samples.row(pivots[k]);
-        typical.row(static_cast<Eigen::Index>(k)) =
-            Eigen::Map<const Eigen::RowVectorXd>(row.data(), dims);
-    }
-    // The orthogonal polar factor of the typical samples, as columns: the rotation whose axes come
-    // nearest to them.
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(typical.transpose(),
-                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
+    // The orthogonal polar factor of the pivots: the rotation whose axes come nearest to them.
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(pivots.transpose(),
+                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::MatrixXd rotation = svd.matrixU() * svd.matrixV().transpose();
-    parallel_for(
-        executor, samples.num_samples, kSamplesPerChunk, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                const Eigen::Map<const Eigen::RowVectorXd> row(samples.row(i).data(), dims);
-                Eigen::Index axis = 0;
-                (row * rotation).cwiseAbs().maxCoeff(&axis);
-                axes[i] = static_cast<std::uint32_t>(axis);
-            }
-        });
-    return renumbered(axes, pivots.size());
+    parallel_for(executor, samples.num_samples, kSamplesPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     const RowMatrix turned = rows(samples, first, last) * rotation;
+                     for (std::size_t i = first; i < last; ++i) {
+                         Index axis = 0;
+                         turned.row(static_cast<Index>(i - first)).cwiseAbs().maxCoeff(&axis);
+                         axes[i] = static_cast<std::uint32_t>(axis);
+                     }
+                 });
+    return renumbered(axes, static_cast<std::size_t>(pivots.rows()));
 }
 
 }  // namespace quadcut

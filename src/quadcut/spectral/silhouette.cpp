@@ -9,94 +9,171 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kRowsPerChunk = 64;
+constexpr std::size_t kSamplesPerChunk = 32;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Squared Euclidean distances between all pairs of samples, one dimension added at a time: what
-/// the next number of clusters needs is the last one's and one eigenvector more.
-class SquaredDistances {
+/// A clustering of the samples by their first `num_dims` dimensions.
+struct Level {
+    std::size_t num_dims = 0;
+    Clustering clusters;
+    std::vector<std::size_t> sizes;
+    /// 1 / (2 sigma^2) of the Gaussian form; 0: the Euclidean distance.
+    double gaussian = 0.0;
+    /// Where rows are scaled to length 1: what each was multiplied with. Else empty.
+    std::vector<double> scale;
+};
+
+/// Twice the sum of squared distances to the mean, over n - 1: that is the mean squared distance
+/// of two different samples.
+double mean_squared_distance(const Embedding& samples) {
+    if (samples.num_samples < 2) return 0.0;
+    std::vector<double> mean(samples.num_dims, 0.0);
+    for (std::size_t i = 0; i < samples.num_samples; ++i) {
+        const auto row = samples.row(i);
+        for (std::size_t d = 0; d < row.size(); ++d) mean[d] += row[d];
+    }
+    for (double& value : mean) value /= static_cast<double>(samples.num_samples);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < samples.num_samples; ++i) {
+        const auto row = samples.row(i);
+        for (std::size_t d = 0; d < row.size(); ++d) sum += (row[d] - mean[d]) * (row[d] - mean[d]);
+    }
+    return 2.0 * sum / static_cast<double>(samples.num_samples - 1);
+}
+
+Level make_level(const Embedding& samples, Clustering clusters, SampleDistance distance) {
+    Level level{samples.num_dims, std::move(clusters), {}, 0.0, {}};
+    level.sizes.assign(level.clusters.num_clusters, 0);
+    for (const std::uint32_t label : level.clusters.labels) ++level.sizes[label];
+    if (distance == SampleDistance::gaussian) {
+        const double mean = mean_squared_distance(samples);
+        level.gaussian = 0.5 / std::max(mean, std::numeric_limits<double>::min());
+    }
+    return level;
+}
+
+double silhouette(std::uint32_t own, const std::vector<double>& sums,
+                  const std::vector<std::size_t>& sizes) {
+    if (sizes[own] < 2) return 0.0;
+    // Eq. (7): a = mean distance to the other samples of the own cluster
+    const double a = sums[own] / static_cast<double>(sizes[own] - 1);
+    // Eq. (8): b = the least mean distance to another cluster
+    double b = kInfinity;
+    for (std::size_t cluster = 0; cluster < sums.size(); ++cluster) {
+        if (cluster == own || sizes[cluster] == 0) continue;
+        b = std::min(b, sums[cluster] / static_cast<double>(sizes[cluster]));
+    }
+    if (b == kInfinity) return 0.0;
+    // Eq. (9): s = (b - a) / max(a, b)
+    const double larger = std::max(a, b);
+    return larger > 0.0 ? (b - a) / larger : 0.0;
+}
+
+/// Silhouettes of all samples at several levels, dimensions ascending. The distances of a sample to
+/// all others grow from level to level by the dimensions that are added: so all levels together
+/// cost little more than the last, and no matrix of distances is ever stored.
+class LevelSilhouettes {
 public:
-    SquaredDistances(std::size_t num_samples, const Executor& executor)
-        : num_samples_(num_samples),
-          executor_(executor),
-          squared_(num_samples * num_samples, 0.0F) {}
-
-    void add_dimension(const Embedding& samples, std::size_t dim) {
-        std::vector<float> values(num_samples_);
+    explicit LevelSilhouettes(const Embedding& samples)
+        : num_samples_(samples.num_samples), columns_(samples.values.size()) {
+        // Column by column, so that loops over samples are loops over memory.
         for (std::size_t i = 0; i < num_samples_; ++i) {
-            values[i] = static_cast<float>(samples.row(i)[dim]);
+            const auto row = samples.row(i);
+            for (std::size_t d = 0; d < row.size(); ++d) columns_[d * num_samples_ + i] = row[d];
         }
-        parallel_for(executor_, num_samples_, kRowsPerChunk,
-                     [&](std::size_t first, std::size_t last) {
-                         for (std::size_t i = first; i < last; ++i) {
-                             float* row = &squared_[i * num_samples_];
-                             for (std::size_t j = 0; j < num_samples_; ++j) {
-                                 const float difference = values[i] - values[j];
-                                 row[j] += difference * difference;
-                             }
-                         }
-                     });
     }
 
-    [[nodiscard]] std::vector<double> silhouettes(const Clustering& clusters,
-                                                  SampleDistance distance) const {
-        std::vector<std::size_t> sizes(clusters.num_clusters, 0);
-        for (const std::uint32_t label : clusters.labels) ++sizes[label];
-        std::vector<double> out(num_samples_, 0.0);
-        if (clusters.num_clusters < 2) return out;
-        const double scale =
-            distance == SampleDistance::gaussian ? -0.5 / mean_squared_distance() : 0.0;
-        parallel_for(
-            executor_, num_samples_, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-                std::vector<double> sums(clusters.num_clusters);
-                for (std::size_t i = first; i < last; ++i) {
-                    std::fill(sums.begin(), sums.end(), 0.0);
-                    const float* row = &squared_[i * num_samples_];
-                    for (std::size_t j = 0; j < num_samples_; ++j) {
-                        const auto squared = static_cast<double>(row[j]);
-                        sums[clusters.labels[j]] +=
-                            scale == 0.0 ? std::sqrt(squared) : 1.0 - std::exp(scale * squared);
+    /// One list a level.
+    [[nodiscard]] std::vector<std::vector<double>> compute(const std::vector<Level>& levels,
+                                                           const Executor& executor) const {
+        std::vector<std::vector<double>> result(levels.size());
+        for (auto& list : result) list.resize(num_samples_);
+        const auto work = [&](std::size_t first, std::size_t last) {
+            std::vector<double> grown(num_samples_);
+            std::vector<double> distances(num_samples_);
+            std::vector<double> sums;
+            for (std::size_t i = first; i < last; ++i) {
+                std::fill(grown.begin(), grown.end(), 0.0);
+                std::size_t num_dims = 0;
+                for (std::size_t l = 0; l < levels.size(); ++l) {
+                    const Level& level = levels[l];
+                    for (; num_dims < level.num_dims; ++num_dims) {
+                        add_dimension(num_dims, i, level.scale.empty(), grown);
                     }
-                    out[i] = silhouette(clusters.labels[i], sums, sizes);
+                    measure(level, i, grown, distances);
+                    add_up(level, distances, sums);
+                    result[l][i] = silhouette(level.clusters.labels[i], sums, level.sizes);
                 }
-            });
-        return out;
+            }
+        };
+        parallel_for(executor, num_samples_, kSamplesPerChunk, work);
+        return result;
     }
 
 private:
-    static double silhouette(std::uint32_t own, const std::vector<double>& sums,
-                             const std::vector<std::size_t>& sizes) {
-        if (sizes[own] < 2) return 0.0;
-        // Eq. (7): a = mean distance to the other samples of the own cluster.
-        const double a = sums[own] / static_cast<double>(sizes[own] - 1);
-        // Eq. (8): b = the least mean distance to another cluster.
-        double b = std::numeric_limits<double>::max();
-        for (std::size_t cluster = 0; cluster < sums.size(); ++cluster) {
-            if (cluster == own || sizes[cluster] == 0) continue;
-            b = std::min(b, sums[cluster] / static_cast<double>(sizes[cluster]));
+    /// Adds to squared distances from sample i, or to scalar products where rows will be scaled.
+    void add_dimension(std::size_t dim, std::size_t i, bool is_distance,
+                       std::vector<double>& grown) const {
+        const auto column = std::span(columns_).subspan(dim * num_samples_, num_samples_);
+        const double own = column[i];
+        if (is_distance) {
+            for (std::size_t j = 0; j < num_samples_; ++j) {
+                grown[j] += (column[j] - own) * (column[j] - own);
+            }
+        } else {
+            for (std::size_t j = 0; j < num_samples_; ++j) grown[j] += column[j] * own;
         }
-        // Eq. (9): s = (b - a) / max(a, b)
-        const double larger = std::max(a, b);
-        return larger > 0.0 && larger < std::numeric_limits<double>::max() ? (b - a) / larger : 0.0;
     }
 
-    [[nodiscard]] double mean_squared_distance() const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < num_samples_; ++i) {
-            const auto row = squared_.begin() + static_cast<std::ptrdiff_t>(i * num_samples_);
-            sum += std::accumulate(row, row + static_cast<std::ptrdiff_t>(num_samples_), 0.0);
+    /// Sums of distances by cluster. In lanes: neighbours tend to be in one cluster, and each sum
+    /// would wait for the one before.
+    static void add_up(const Level& level, const std::vector<double>& distances,
+                       std::vector<double>& sums) {
+        constexpr std::size_t kLanes = 4;
+        const std::size_t num_clusters = level.sizes.size();
+        sums.assign(kLanes * num_clusters, 0.0);
+        for (std::size_t j = 0; j < distances.size(); ++j) {
+            sums[kLanes * level.clusters.labels[j] + j % kLanes] += distances[j];
         }
-        const auto n = static_cast<double>(num_samples_);
-        return std::max(sum / std::max(1.0, n * (n - 1.0)), std::numeric_limits<double>::min());
+        for (std::size_t c = 0; c < num_clusters; ++c) {
+            const double* lane = &sums[kLanes * c];
+            sums[c] = (lane[0] + lane[1]) + (lane[2] + lane[3]);
+        }
+        sums.resize(num_clusters);
+    }
+
+    void measure(const Level& level, std::size_t i, const std::vector<double>& grown,
+                 std::vector<double>& distances) const {
+        if (level.scale.empty()) {
+            distances = grown;
+        } else {
+            // Rows of length 1, or of zeros.
+            const double own = level.scale[i] > 0.0 ? 1.0 : 0.0;
+            for (std::size_t j = 0; j < num_samples_; ++j) {
+                const double product = grown[j] * level.scale[i] * level.scale[j];
+                const double other = level.scale[j] > 0.0 ? 1.0 : 0.0;
+                distances[j] = std::max(0.0, own + other - 2.0 * product);
+            }
+            distances[i] = 0.0;
+        }
+        Eigen::Map<Eigen::ArrayXd> values(distances.data(),
+                                          static_cast<Eigen::Index>(num_samples_));
+        if (level.gaussian > 0.0) {
+            values = 1.0 - (-level.gaussian * values).exp();
+        } else {
+            values = values.sqrt();
+        }
     }
 
     std::size_t num_samples_;
-    const Executor& executor_;
-    std::vector<float> squared_;
+    std::vector<double> columns_;
 };
 
 double mean_of(const std::vector<double>& values) {
@@ -120,112 +197,97 @@ std::vector<std::size_t> draw_samples(std::size_t num_samples, std::size_t count
 }
 
 Embedding rows_of(const Embedding& samples, const std::vector<std::size_t>& chosen) {
-    Embedding out{chosen.size(), samples.num_dims, {}};
-    out.values.reserve(chosen.size() * samples.num_dims);
+    Embedding rows{chosen.size(), samples.num_dims, {}};
+    rows.values.reserve(chosen.size() * samples.num_dims);
     for (const std::size_t i : chosen) {
         const auto row = samples.row(i);
-        out.values.insert(out.values.end(), row.begin(), row.end());
+        rows.values.insert(rows.values.end(), row.begin(), row.end());
     }
-    return out;
+    return rows;
 }
 
-Embedding first_dims(const Embedding& samples, std::size_t num_dims) {
-    Embedding out{samples.num_samples, num_dims, {}};
-    out.values.reserve(samples.num_samples * num_dims);
+/// Of the rows' first `num_dims` entries; 0 for a row of zeros.
+std::vector<double> inverse_lengths(const Embedding& samples, std::size_t num_dims) {
+    std::vector<double> result(samples.num_samples, 0.0);
     for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        const auto row = samples.row(i).first(num_dims);
-        out.values.insert(out.values.end(), row.begin(), row.end());
+        double squared = 0.0;
+        for (const double value : samples.row(i).first(num_dims)) squared += value * value;
+        if (squared > 0.0) result[i] = 1.0 / std::sqrt(squared);
     }
-    return out;
+    return result;
 }
 
-SquaredDistances distances_of(const Embedding& samples, const Executor& executor) {
-    SquaredDistances distances(samples.num_samples, executor);
-    for (std::size_t dim = 0; dim < samples.num_dims; ++dim) distances.add_dimension(samples, dim);
-    return distances;
-}
-
-/// The mean silhouette for every number of clusters, on a sample of the nodes.
+/// The mean silhouette of k-means for each number of clusters, on a sample of the nodes.
 std::vector<double> score_numbers(const Eigenpairs& pairs, std::size_t max_clusters,
-                                  const ChooseOptions& options, std::uint64_t seed,
-                                  const Executor& executor) {
+                                  const ChooseOptions& options, const Executor& executor) {
     const std::vector<std::size_t> chosen =
         draw_samples(pairs.num_nodes, options.silhouette.max_samples, options.silhouette.seed);
-    const Embedding unscaled = rows_of(embed(pairs, max_clusters), chosen);
-    const bool is_scaled = options.scaling != RowScaling::none;
-    SquaredDistances distances(chosen.size(), executor);
-    KMeansOptions k_means = options.k_means;
-    k_means.seed = seed;
-    std::vector<double> scores;
-    std::size_t dims_added = 0;
+    const Embedding samples = rows_of(embed(pairs, max_clusters), chosen);
+    std::vector<Level> levels;
     for (std::size_t k = options.min_clusters; k <= max_clusters; ++k) {
-        const Embedding samples =
-            is_scaled ? rows_of(embed(pairs, k, options.scaling), chosen) : first_dims(unscaled, k);
-        const Clustering clusters = cluster_k_means(samples, k, k_means, executor).clustering;
-        if (is_scaled) {
-            // Scaled rows change with every dimension: nothing carries over.
-            scores.push_back(mean_of(distances_of(samples, executor)
-                                         .silhouettes(clusters, options.silhouette.distance)));
-            continue;
+        const Embedding part = rows_of(embed(pairs, k, options.scaling), chosen);
+        Clustering clusters = cluster_k_means(part, k, options.k_means, executor).clustering;
+        levels.push_back(make_level(part, std::move(clusters), options.silhouette.distance));
+        if (options.scaling == RowScaling::unit_length) {
+            levels.back().scale = inverse_lengths(samples, k);
         }
-        for (; dims_added < k; ++dims_added) distances.add_dimension(unscaled, dims_added);
-        scores.push_back(mean_of(distances.silhouettes(clusters, options.silhouette.distance)));
+    }
+    std::vector<double> scores;
+    for (const auto& values : LevelSilhouettes(samples).compute(levels, executor)) {
+        scores.push_back(mean_of(values));
     }
     return scores;
+}
+
+void check(const Embedding& samples, const Clustering& clusters) {
+    if (clusters.labels.size() != samples.num_samples) {
+        throw std::logic_error("silhouettes: labels and samples differ in number");
+    }
 }
 
 }  // namespace
 
 std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
                                 SampleDistance distance, const Executor& executor) {
-    if (clusters.labels.size() != samples.num_samples) {
-        throw std::logic_error("silhouettes: labels and samples differ in number");
-    }
-    return distances_of(samples, executor).silhouettes(clusters, distance);
+    check(samples, clusters);
+    return LevelSilhouettes(samples).compute({make_level(samples, clusters, distance)},
+                                             executor)[0];
 }
 
 double mean_silhouette(const Embedding& samples, const Clustering& clusters,
                        const SilhouetteOptions& options, const Executor& executor) {
-    if (clusters.labels.size() != samples.num_samples) {
-        throw std::logic_error("mean_silhouette: labels and samples differ in number");
-    }
+    check(samples, clusters);
     const std::vector<std::size_t> chosen =
         draw_samples(samples.num_samples, options.max_samples, options.seed);
-    Clustering chosen_clusters{{}, clusters.num_clusters};
-    for (const std::size_t i : chosen) chosen_clusters.labels.push_back(clusters.labels[i]);
-    return mean_of(
-        silhouettes(rows_of(samples, chosen), chosen_clusters, options.distance, executor));
+    Clustering of_chosen{{}, clusters.num_clusters};
+    for (const std::size_t i : chosen) of_chosen.labels.push_back(clusters.labels[i]);
+    return mean_of(silhouettes(rows_of(samples, chosen), of_chosen, options.distance, executor));
 }
 
 ChosenClustering choose_num_clusters(const Eigenpairs& pairs, const ChooseOptions& options,
                                      const Executor& executor) {
     ChosenClustering best;
     best.clustering = {std::vector<std::uint32_t>(pairs.num_nodes, 0),
-                       pairs.num_nodes == 0 ? std::size_t{0} : std::size_t{1}};
+                       std::min<std::size_t>(1, pairs.num_nodes)};
     const std::size_t max_clusters =
         std::min({options.max_clusters, pairs.size(), pairs.num_nodes});
     if (max_clusters < options.min_clusters) return best;
-    best.score = -2.0;
-    for (std::size_t attempt = 0; attempt < std::max<std::size_t>(1, options.max_attempts);
-         ++attempt) {
-        KMeansOptions k_means = options.k_means;
-        k_means.seed = options.k_means.seed + attempt;
-        const std::vector<double> scores =
-            score_numbers(pairs, max_clusters, options, k_means.seed, executor);
-        const auto highest = std::max_element(scores.begin(), scores.end());
-        const std::size_t k =
-            options.min_clusters + static_cast<std::size_t>(highest - scores.begin());
-        const Embedding samples = embed(pairs, k, options.scaling);
-        Clustering clusters = cluster_k_means(samples, k, k_means, executor).clustering;
+    best.scores = score_numbers(pairs, max_clusters, options, executor);
+    const auto highest = std::max_element(best.scores.begin(), best.scores.end());
+    const std::size_t num_clusters =
+        options.min_clusters + static_cast<std::size_t>(highest - best.scores.begin());
+    const Embedding samples = embed(pairs, num_clusters, options.scaling);
+    KMeansOptions k_means = options.k_means;
+    while (!best.accepted && best.num_attempts < std::max<std::size_t>(1, options.max_attempts)) {
+        k_means.seed = options.k_means.seed + best.num_attempts;
+        Clustering clusters = cluster_k_means(samples, num_clusters, k_means, executor).clustering;
         const double score = mean_silhouette(samples, clusters, options.silhouette, executor);
-        if (score > best.score) {
+        if (best.num_attempts == 0 || score > best.score) {
             best.clustering = std::move(clusters);
             best.score = score;
-            best.scores = scores;
         }
-        best.num_attempts = attempt + 1;
+        ++best.num_attempts;
         best.accepted = best.score >= options.accept_score;
-        if (best.accepted) break;
     }
     return best;
 }

@@ -43,7 +43,7 @@ struct ChooseOptions {
     std::size_t max_clusters = 30;
     /// A clustering is accepted when its mean silhouette reaches this.
     double accept_score = 0.5;
-    /// Sets of k-means starts tried in all; the best is returned if none is accepted.
+    /// Sets of k-means starts for the chosen number in all; the best is kept if none is accepted.
     std::size_t max_attempts = 3;
     RowScaling scaling = RowScaling::none;
     KMeansOptions k_means;
@@ -66,6 +66,8 @@ struct ChosenClustering {
 /// eigenvectors (the least such k), then clusters all nodes with it; starts k-means again while the
 /// score stays below the threshold. Above silhouette.max_samples nodes the choice is made on a
 /// seeded sample of so many. Fewer pairs or nodes than min_clusters: one cluster, score 0.
+/// Cost: O(samples^2 * (max_clusters + numbers tried)), for 4,000 samples and 2 to 30 clusters some
+/// 10^9 steps, and k-means of the samples for each number.
 [[nodiscard]] ChosenClustering choose_num_clusters(const Eigenpairs& pairs,
                                                    const ChooseOptions& options = {},
                                                    const Executor& executor = {});
