@@ -25,7 +25,6 @@ std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
 }
 
 struct Part {
-    std::uint32_t label = 0;
     std::vector<std::size_t> cells;
 };
 
@@ -37,8 +36,8 @@ std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
         const std::uint32_t label = labels.values[seed];
         if (label == 0 || seen[seed]) continue;
-        Part part{label, flood(labels, seed, seen, Connectivity::four,
-                               [&](std::size_t cell) { return labels.values[cell] == label; })};
+        Part part{flood(labels, seed, seen, Connectivity::four,
+                        [&](std::size_t cell) { return labels.values[cell] == label; })};
         Part& best = largest[label];
         if (part.cells.size() > best.cells.size()) std::swap(part, best);
         if (!part.cells.empty()) detached.push_back(std::move(part));
@@ -87,16 +86,30 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
 }  // namespace
 
 void connect_regions(Raster<std::uint32_t>& labels) {
-    for (const Part& part : detached_parts(labels)) {
-        std::map<std::uint32_t, std::size_t> contacts;
-        for (const std::size_t cell : part.cells) {
-            for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
-                const std::uint32_t other = labels.values[next];
-                if (other != 0 && other != part.label) ++contacts[other];
+    std::vector<Part> waiting = detached_parts(labels);
+    for (const Part& part : waiting) {
+        for (const std::size_t cell : part.cells) labels.values[cell] = 0;
+    }
+    // Only what is connected already gives its label: a part may have to wait for its neighbour.
+    for (bool is_progress = true; is_progress;) {
+        is_progress = false;
+        std::vector<Part> still_waiting;
+        for (Part& part : waiting) {
+            std::map<std::uint32_t, std::size_t> contacts;
+            for (const std::size_t cell : part.cells) {
+                for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
+                    if (labels.values[next] != 0) ++contacts[labels.values[next]];
+                }
             }
+            const std::uint32_t heir = most_frequent(contacts);
+            if (heir == 0) {
+                still_waiting.push_back(std::move(part));
+                continue;
+            }
+            is_progress = true;
+            for (const std::size_t cell : part.cells) labels.values[cell] = heir;
         }
-        const std::uint32_t heir = most_frequent(contacts);
-        for (const std::size_t cell : part.cells) labels.values[cell] = heir;
+        waiting = std::move(still_waiting);
     }
 }
 

@@ -35,6 +35,17 @@ TEST(Regions, DetachedPartsGoToTheNeighbourWithTheLongestBorder) {
                                         "cccbbb"}));
 }
 
+TEST(Regions, DetachedPartsBesideEachOtherGoToOneThatIsConnected) {
+    // The detached a touches only the detached b, which touches c.
+    Raster<std::uint32_t> labels = drawn_labels({"aaa.bbb",  //
+                                                 ".......",  //
+                                                 "abccccc"});
+    connect_regions(labels);
+    EXPECT_EQ(as_drawing(labels), (Rows{"aaa.bbb",  //
+                                        ".......",  //
+                                        "ccccccc"}));
+}
+
 TEST(Regions, ADetachedPartWithoutNeighboursIsRemoved) {
     Raster<std::uint32_t> labels = drawn_labels({"aaa.a", "aaa..", "aaa.."});
     connect_regions(labels);

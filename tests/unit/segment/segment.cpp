@@ -113,7 +113,9 @@ TEST(Segment, RoomsOfAnOffice) {
     for (const Door& door : result.doors) EXPECT_NEAR(door.width_m, 0.9, 0.06);
     // Every free cell is in a room.
     for (std::size_t i = 0; i < map.states.values.size(); ++i) {
-        if (map.states.values[i] == CellState::free) EXPECT_NE(result.labels.values[i], 0);
+        if (map.states.values[i] == CellState::free) {
+            EXPECT_NE(result.labels.values[i], 0);
+        }
     }
     const auto num_corridors =
         std::count_if(result.rooms.begin(), result.rooms.end(),
@@ -165,7 +167,9 @@ TEST(Segment, PaperDropsSubmapsThatTheTrajectoryDoesNotCross) {
     const Segmentation crossed = segment(map, options, trajectory);
     EXPECT_LT(crossed.rooms.size(), all.rooms.size());
     for (const Cell cell : visited_cells(map, trajectory)) {
-        if (all.labels.at(cell) != 0) EXPECT_NE(crossed.labels.at(cell), 0);
+        if (all.labels.at(cell) != 0) {
+            EXPECT_NE(crossed.labels.at(cell), 0);
+        }
     }
 }
 
