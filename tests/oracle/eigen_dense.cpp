@@ -102,8 +102,8 @@ TEST(EigenDenseOracle, CountsBelowLimits) {
         const std::size_t num_nodes = 80 + random.below(150);
         const Graph graph = test::random_graph(random, num_nodes, 1.0, 1 + random.below(3));
         for (const LaplacianKind kind : kAllKinds) {
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> dense(
-                dense_laplacian(graph, kind), Eigen::EigenvaluesOnly);
+            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> dense(dense_laplacian(graph, kind),
+                                                                       Eigen::EigenvaluesOnly);
             const double largest = dense.eigenvalues().maxCoeff();
             const double limit = largest * std::pow(10.0, random.uniform(-3.0, 0.1));
             const double slack = 1e-7 * largest;

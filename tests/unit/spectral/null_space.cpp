@@ -66,8 +66,9 @@ TEST(NullSpace, ComponentsOfFloorPlans) {
 }
 
 TEST(NullSpace, LonelyNodesAndEdgesOfWeightZero) {
-    const Graph graph = build_graph(std::vector<WeightedEdge>{{0, 3, 1.0}, {1, 1, 2.0}, {2, 4, 0.0}},
-                                    std::vector<double>(5, 1.0));
+    const Graph graph =
+        build_graph(std::vector<WeightedEdge>{{0, 3, 1.0}, {1, 1, 2.0}, {2, 4, 0.0}},
+                    std::vector<double>(5, 1.0));
     for (const LaplacianKind kind : kAllKinds) {
         EXPECT_EQ(components_from_null_space(graph, kind),
                   (std::vector<std::uint32_t>{0, 1, 2, 0, 3}));

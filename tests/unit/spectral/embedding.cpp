@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/spectral/embedding.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace quadcut {
+namespace {
+
+/// Two vectors of three entries.
+Eigenpairs two_pairs() {
+    Eigenpairs pairs;
+    pairs.num_nodes = 3;
+    pairs.values = {0.0, 1.0};
+    pairs.vectors = {3.0, 0.0, -1.0, 4.0, 0.0, 2.0};
+    pairs.components = {0, 0};
+    pairs.residuals = {0.0, 0.0};
+    return pairs;
+}
+
+TEST(Embedding, EigenvectorsAreColumnsAndNodesAreRows) {
+    const Embedding samples = embed(two_pairs(), 2);
+    EXPECT_EQ(samples.num_samples, 3U);
+    EXPECT_EQ(samples.num_dims, 2U);
+    EXPECT_EQ(samples.values, (std::vector<double>{3.0, 4.0, 0.0, 0.0, -1.0, 2.0}));
+    EXPECT_EQ(samples.row(2)[1], 2.0);
+}
+
+TEST(Embedding, NoMoreColumnsThanPairs) {
+    EXPECT_EQ(embed(two_pairs(), 7).num_dims, 2U);
+    EXPECT_EQ(embed(two_pairs(), 1).values, (std::vector<double>{3.0, 0.0, -1.0}));
+    EXPECT_EQ(embed(two_pairs(), 0).num_dims, 0U);
+    EXPECT_EQ(embed(Eigenpairs{}, 4).num_samples, 0U);
+}
+
+TEST(Embedding, RowsOfLengthOneUnlessTheyAreZero) {
+    const Embedding samples = embed(two_pairs(), 2, RowScaling::unit_length);
+    EXPECT_DOUBLE_EQ(samples.row(0)[0], 0.6);
+    EXPECT_DOUBLE_EQ(samples.row(0)[1], 0.8);
+    EXPECT_EQ(samples.row(1)[0], 0.0);
+    EXPECT_EQ(samples.row(1)[1], 0.0);
+    EXPECT_DOUBLE_EQ(std::hypot(samples.row(2)[0], samples.row(2)[1]), 1.0);
+}
+
+}  // namespace
+}  // namespace quadcut
