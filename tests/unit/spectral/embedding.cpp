@@ -21,7 +21,7 @@ Eigenpairs two_pairs() {
     return pairs;
 }
 
-TEST(Embedding, EigenvectorsAreColumnsAndNodesAreRows) {
+TEST(Embedding, RowsAreSamplesOfTheEigenvectors) {
     const Embedding samples = embed(two_pairs(), 2);
     EXPECT_EQ(samples.num_samples, 3U);
     EXPECT_EQ(samples.num_dims, 2U);

@@ -113,6 +113,28 @@ TEST(KMeans, BoundsDoNotChangeWhatLloydDoes) {
     EXPECT_GT(num_compared, 100);
 }
 
+TEST(KMeans, EndsWhereEverySampleIsNearestToItsOwnMean) {
+    Random random(5);
+    Embedding samples{3000, 4, {}};
+    for (std::size_t i = 0; i < 12000; ++i) samples.values.push_back(random.normal());
+    const Clustering clusters = cluster_k_means(samples, 9, {1, 1000, 3}).clustering;
+    std::vector<std::vector<double>> means(9, std::vector<double>(5, 0.0));
+    for (std::size_t i = 0; i < 3000; ++i) {
+        for (std::size_t d = 0; d < 4; ++d) means[clusters.labels[i]][d] += samples.row(i)[d];
+        means[clusters.labels[i]][4] += 1.0;
+    }
+    for (std::size_t i = 0; i < 3000; ++i) {
+        std::vector<double> squared(9, 0.0);
+        for (std::size_t k = 0; k < 9; ++k) {
+            for (std::size_t d = 0; d < 4; ++d) {
+                squared[k] += std::pow(samples.row(i)[d] - means[k][d] / means[k][4], 2);
+            }
+        }
+        ASSERT_NEAR(*std::min_element(squared.begin(), squared.end()), squared[clusters.labels[i]],
+                    1e-9);
+    }
+}
+
 TEST(KMeans, RefiningNeverMakesItWorse) {
     Random random(43);
     const Embedding samples = test::blobs(800, 6, 4, 0.35, random);

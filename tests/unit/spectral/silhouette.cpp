@@ -67,7 +67,7 @@ TEST(Silhouette, ByHand) {
     EXPECT_EQ(values[4], 0.0);
 }
 
-TEST(Silhouette, AgreesWithTheDefinition) {
+TEST(Silhouette, EqualsTheDefinition) {
     Random random(61);
     for (int round = 0; round < 20; ++round) {
         const std::size_t count = 3 + random.below(120);
@@ -136,6 +136,25 @@ TEST(Silhouette, SameForAnyNumberOfThreads) {
 Eigenpairs pairs_of_rooms(std::size_t per_row, std::size_t num_rows, std::size_t num_pairs) {
     const auto plan = test::room_plan(per_row, num_rows, 11, test::Doors::open);
     return smallest_eigenpairs(test::floor_graph(plan), LaplacianKind::degree, num_pairs);
+}
+
+TEST(Silhouette, ChoosesThePlantedNumber) {
+    const Graph graph = test::floor_graph(
+        {"......#......#......#......#......", "......#......#......#......#......",
+         "..................................", "......#......#......#......#......",
+         "......#......#......#......#......"});
+    ChooseOptions options;
+    options.max_clusters = 9;
+    const Eigenpairs pairs = smallest_eigenpairs(graph, LaplacianKind::degree, 9);
+    const ChosenClustering chosen = choose_num_clusters(pairs, options);
+    EXPECT_EQ(chosen.clustering.num_clusters, 5U);
+    EXPECT_TRUE(chosen.accepted);
+    EXPECT_EQ(chosen.scores.size(), 8U);
+    options.accept_score = 0.9999;
+    const ChosenClustering never = choose_num_clusters(pairs, options);
+    EXPECT_FALSE(never.accepted);
+    EXPECT_EQ(never.num_attempts, options.max_attempts);
+    EXPECT_EQ(choose_num_clusters(Eigenpairs{}, options).clustering.num_clusters, 0U);
 }
 
 TEST(ChooseNumClusters, AsManyAsThereAreRooms) {
