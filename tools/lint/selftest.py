@@ -103,9 +103,13 @@ class Budgets(unittest.TestCase):
             self.assertEqual(1, len(budgets.check(tree_of(src__io__a_cpp=text))), text[:40])
 
     def test_core(self):
-        files = {f"src__quadcut__map__a{i}_cpp": "int a;\n" * 300 for i in range(24)}
+        full = "int a;\n" * 300
+        num_files = budgets.MAX_CORE_LINES // 300
+        files = {f"src__quadcut__map__a{i}_cpp": full for i in range(num_files)}
+        self.assertEqual([], budgets.check(tree_of(**files)))
+        files["src__quadcut__base__a_cpp"] = full
         self.assertEqual(1, len(budgets.check(tree_of(**files))))
-        files = {f"src__quadcut__map__a{i}_cpp": "// a\n\n" * 199 for i in range(24)}
+        files["src__quadcut__base__a_cpp"] = "// a\n\n" * 199
         self.assertEqual([], budgets.check(tree_of(**files)))
 
 
