@@ -101,7 +101,7 @@ private:
     [[nodiscard]] double between(const SpectrumMark& low, const SpectrumMark& high, double guess,
                                  int probe) {
         const double width = high.at - low.at;
-        const double margin = (probe % 3 == 2 ? 0.5 : 0.02) * width;
+        const double margin = (probe % 3 == 2 ? 0.49 : 0.02) * width;
         return std::clamp(guess, low.at + margin, high.at - margin) +
                random_.uniform(0.0, 0.001) * width;
     }
