@@ -21,10 +21,10 @@
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/segment.hpp"
 
+namespace quadcut {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace quadcut;
 
 struct Method {
     std::string name;
@@ -207,9 +207,7 @@ void print_means(const nlohmann::ordered_json& rows) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     const fs::path data = fs::path(QUADCUT_SHARED_DIR) / "data";
     if (!fs::exists(data)) {
         std::cout << "no data in " << data.string() << ": nothing to measure\n";
@@ -225,3 +223,8 @@ int main(int argc, char** argv) {
     if (argc == 3 && std::string(argv[1]) == "-o") std::ofstream(argv[2]) << rows.dump(1) << "\n";
     return 0;
 }
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) { return quadcut::run(argc, argv); }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 
 #include "quadcut/base/error.hpp"
@@ -65,14 +64,10 @@ private:
     /// Looks for a mark with `wanted` eigenvalues below it or a few more. There is none inside a
     /// multiple eigenvalue: then as many copies as are missing become a slice of their own.
     void divide_smallest(std::size_t wanted, SpectrumMark high) {
-        const double size = static_cast<double>(laplacian_.size());
         const double norm = laplacian_.norm_bound();
         const std::size_t slack = 2 + wanted / 8;
         const double target = static_cast<double>(wanted) + 0.5 * static_cast<double>(slack);
-        const double trace =
-            std::accumulate(laplacian_.diagonal().begin(), laplacian_.diagonal().end(), 0.0);
-        // Weyl's law for a uniform grid: lambda_k = pi k / size * diagonal entry.
-        double guess = std::numbers::pi * target / size * trace / size;
+        double guess = weyl_estimate() * target;
         SpectrumMark low{0.0, 0};
         for (int probe = 0; probe < kMaxProbes && high.at - low.at > kNarrow * norm; ++probe) {
             const SpectrumMark middle = mark(between(low, high, guess, probe));
@@ -97,6 +92,26 @@ private:
         slices_.push_back({low, high, wanted - low.num_below});
     }
 
+    /// By Weyl's law, lambda_k = 4 pi k / area for the Laplace operator in the plane. What stands
+    /// for the area here is the sum of d_i, deg_i or area_i, over the mean weight of an edge.
+    [[nodiscard]] double weyl_estimate() const {
+        const auto scale = laplacian_.null_vector();
+        double measure = 0.0;
+        double weight = 0.0;
+        std::size_t num_entries = 0;
+        for (std::size_t i = 0; i < laplacian_.size(); ++i) {
+            measure += scale[i] * scale[i];
+            const auto columns = laplacian_.row_columns(i);
+            const auto values = laplacian_.row_values(i);
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                weight -= values[k] * scale[i] * scale[columns[k]];
+            }
+            num_entries += columns.size();
+        }
+        const double mean = weight / static_cast<double>(std::max<std::size_t>(1, num_entries));
+        return 4.0 * std::numbers::pi * mean / measure;
+    }
+
     /// `guess`, kept well inside the bracket; every third probe halves it.
     [[nodiscard]] double between(const SpectrumMark& low, const SpectrumMark& high, double guess,
                                  int probe) {
@@ -113,7 +128,8 @@ private:
         if (count > kSlicePairs && width > kNarrow * laplacian_.norm_bound()) {
             // The eigenvalues of floor plans are spread evenly but for the first.
             const std::size_t parts = (count + kSlicePairs - 1) / kSlicePairs;
-            const double share = static_cast<double>(parts / 2) / static_cast<double>(parts);
+            const std::size_t lower_parts = parts / 2;
+            const double share = static_cast<double>(lower_parts) / static_cast<double>(parts);
             const SpectrumMark middle =
                 mark(whole.low.at + (share + random_.uniform(-0.01, 0.01)) * width);
             if (whole.low.at < middle.at && middle.at < whole.high.at) {
