@@ -142,16 +142,20 @@ OccupancyMap read_header(Reader& reader, const std::string& name) {
     reader.require(reader.integer<std::uint32_t>() == kVersion, "the format version is 1");
     const double resolution_m = reader.number();
     const Pose pose{reader.number(), reader.number(), reader.number()};
-    const bool is_placed = reader.integer<std::uint32_t>() == 1;
+    const auto is_placed = reader.integer<std::uint32_t>();
+    reader.require(is_placed <= 1, "a root that has its place is told by 1, else 0");
     const Cell lower_left{reader.integer<std::int32_t>(), reader.integer<std::int32_t>()};
     const auto level = reader.integer<std::uint32_t>();
+    reader.require(level <= 30, "the root's level is at most 30");
+    const Root root{lower_left, static_cast<std::uint8_t>(level)};
     try {
-        if (!is_placed) return OccupancyMap(resolution_m, pose);
-        reader.require(level <= 30, "the root's level is at most 30");
-        return OccupancyMap(resolution_m, pose, {lower_left, static_cast<std::uint8_t>(level)});
+        OccupancyMap unplaced(resolution_m, pose);
+        if (is_placed == 1) return OccupancyMap(resolution_m, pose, root);
+        if (root == unplaced.root()) return unplaced;
     } catch (const InputError& error) {
         throw InputError(name + ": " + error.what());
     }
+    throw InputError(name + ": expected the smallest root where it has no place yet");
 }
 
 TileRange read_range(Reader& reader, const OccupancyMap& map) {

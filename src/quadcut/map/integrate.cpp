@@ -16,13 +16,17 @@ namespace quadcut {
 namespace {
 
 constexpr double kMaxRangeCells = 8192.0;
+constexpr double kMaxAngle = 1e6;
 
 // The sensor in the map, in cells.
 Pose sensor_in_cells(const OccupancyMap& map, const Scan& scan) {
     const Pose& pose = scan.world_from_sensor;
-    if (!std::isfinite(pose.yaw_rad) || !std::isfinite(scan.first_angle_rad) ||
-        !std::isfinite(scan.angle_step_rad)) {
-        throw InputError("scan: an angle is not a finite number");
+    // Written so that NaN fails too.
+    for (const double angle : {pose.yaw_rad, scan.first_angle_rad, scan.angle_step_rad}) {
+        if (!(std::abs(angle) <= kMaxAngle)) {
+            throw InputError("scan: an angle is " + std::to_string(angle) +
+                             " rad, expected a number within a million");
+        }
     }
     // Throws when the position is not finite or too far away.
     static_cast<void>(map.cell_at({pose.x, pose.y}));

@@ -164,9 +164,11 @@ TEST(Integrate, AScanWithoutAPlaceChangesNothing) {
         scan.world_from_sensor = pose;
         EXPECT_THROW(integrate_scan(map, scan), InputError);
     }
-    Scan scan = round_scan(0.0, 0.0, 2.0F);
-    scan.angle_step_rad = nan;
-    EXPECT_THROW(integrate_scan(map, scan), InputError);
+    for (const double step : {nan, 1e300, -1e300}) {
+        Scan scan = round_scan(0.0, 0.0, 2.0F);
+        scan.angle_step_rad = step;
+        EXPECT_THROW(integrate_scan(map, scan), InputError);
+    }
     EXPECT_EQ(io::encode_map(map), before);
 }
 
