@@ -42,7 +42,7 @@ struct PaperOptions {
     SelfLoops self_loops = SelfLoops::own_weight;
     ComponentSearch component_search = ComponentSearch::traversal;
     double min_component_m2 = 1.0;
-    double min_leaf_m = 0.2;
+    double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;
     double max_submap_m2 = 60.0;
     std::size_t max_route_edges = 40;

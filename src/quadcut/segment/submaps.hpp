@@ -39,7 +39,15 @@ struct SubmapLimits {
 [[nodiscard]] Pieces fuse_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits);
 
 /// Fuses submaps by eq. (11), the smallest submap first with the neighbour it is related to most,
-/// until `count` are left, or fewer cannot be had because components are not connected.
-[[nodiscard]] Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count);
+/// until `count` are left and none is smaller than `min_area_m2`, or nothing is connected any more.
+[[nodiscard]] Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count,
+                                     double min_area_m2 = 0.0);
+
+/// Cuts into `count` submaps. The smallest eigenvectors may be those of slivers along walls, whose
+/// pieces are too small for a submap: they are fused, and the cut is repeated with as many
+/// eigenvectors more. The nearest number found if `count` cannot be had. A few cuts.
+[[nodiscard]] Pieces cut_into(const Graph& graph, std::size_t count, const SubmapLimits& limits,
+                              const CutOptions& options, StageClock& clock,
+                              const Executor& executor = {});
 
 }  // namespace quadcut

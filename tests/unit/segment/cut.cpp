@@ -153,6 +153,45 @@ TEST(Submaps, LongSubmapsAreDivided) {
     EXPECT_EQ(divide_submaps(corridor, one, limits, {}, clock).count, 2U) << "128 m^2";
 }
 
+/// Three rooms of 36 m^2 and, at the wall of the first, a chain of twenty nodes of 0.01 m^2 that
+/// hangs on by less than the rooms do.
+Graph three_rooms_and_a_sliver() {
+    const Graph rooms = rooms_in_a_row(3, 6, 6, 0.1);
+    std::vector<WeightedEdge> edges;
+    std::vector<double> areas = rooms.area_m2;
+    for (std::uint32_t node = 0; node < rooms.num_nodes(); ++node) {
+        const auto neighbours = rooms.neighbours(node);
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            if (neighbours[k] < node) continue;
+            edges.push_back({node, neighbours[k], rooms.neighbour_weights(node)[k]});
+        }
+    }
+    std::uint32_t last = 0;
+    for (int i = 0; i < 20; ++i) {
+        const auto next = static_cast<std::uint32_t>(areas.size());
+        edges.push_back({last, next, i == 0 ? 0.001 : 1.0});
+        areas.push_back(0.01);
+        last = next;
+    }
+    return build_graph(edges, areas);
+}
+
+TEST(Submaps, ASliverDoesNotTakeTheNumberOfARoom) {
+    const Graph graph = three_rooms_and_a_sliver();
+    StageClock clock;
+    CutOptions options;
+    options.num_pieces = 3;
+    const Pieces plain = cut(graph, options, clock);
+    EXPECT_NE(plain.piece_of_node[0], plain.piece_of_node[108]) << "the sliver is a piece";
+    const Pieces rooms = cut_into(graph, 3, SubmapLimits{}, {}, clock);
+    expect_partition(graph, rooms);
+    ASSERT_EQ(rooms.count, 3U);
+    for (std::uint32_t node = 0; node < 108; ++node) {
+        EXPECT_EQ(rooms.piece_of_node[node], rooms.piece_of_node[node / 36 * 36]) << node;
+    }
+    EXPECT_EQ(rooms.piece_of_node[108], rooms.piece_of_node[0]);
+}
+
 /// Three submaps: 0 and 1 joined by weight 3 over 4 + 4 m^2, 1 and 2 by weight 1 over 4 + 2 m^2.
 struct ThreeSubmaps {
     Graph graph = build_graph(
