@@ -131,20 +131,32 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
     const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));
     const auto max_steps =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
+    std::vector<std::size_t> num_cells;
+    for (const std::uint32_t label : labels.values) {
+        if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
+        ++num_cells[label];
+    }
     std::vector<bool> seen(labels.values.size(), false);
     for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
-        if (free.values[seed] == 0 || labels.values[seed] != 0 || seen[seed]) continue;
-        const std::vector<std::size_t> pocket = flood(
-            labels, seed, seen, Connectivity::four,
-            [&](std::size_t cell) { return free.values[cell] != 0 && labels.values[cell] == 0; });
+        if (free.values[seed] == 0 || seen[seed]) continue;
+        const bool is_room = labels.values[seed] != 0;
+        const std::vector<std::size_t> pocket =
+            flood(labels, seed, seen, Connectivity::four, [&](std::size_t cell) {
+                return free.values[cell] != 0 && (labels.values[cell] != 0) == is_room;
+            });
         if (pocket.size() > max_cells) continue;
+        std::vector<std::uint32_t> own;
+        for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
         const std::uint32_t room = most_frequent(walk.ways);
-        if (room == 0 || static_cast<double>(walk.ways.at(room)) <
-                             kMinShareOfBorder * static_cast<double>(walk.num_starts)) {
-            continue;
+        // Two small rooms beside each other are no pockets of each other.
+        const bool is_adopted = room != 0 && (!is_room || num_cells[room] > max_cells) &&
+                                static_cast<double>(walk.ways.at(room)) >=
+                                    kMinShareOfBorder * static_cast<double>(walk.num_starts);
+        for (std::size_t i = 0; i < pocket.size(); ++i) {
+            labels.values[pocket[i]] = is_adopted ? room : own[i];
         }
-        for (const std::size_t cell : pocket) labels.values[cell] = room;
+        if (!is_adopted) continue;
         for (const auto& [label, arrival] : walk.arrivals) {
             if (label != room) continue;
             for (std::size_t cell = arrival; labels.values[cell] == 0;

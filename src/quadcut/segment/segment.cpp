@@ -29,6 +29,8 @@ namespace quadcut {
 namespace {
 
 constexpr std::uint32_t kMaxRooms = 65535;
+/// What is enclosed by an outline up to this size is the inside of furniture.
+constexpr double kMaxPocketM2 = 4.0;
 
 /// The quadtree's leaves, and which of them are free: the nodes of the graph.
 struct FreeLeaves {
@@ -128,7 +130,7 @@ Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std:
     connect_regions(rooms.labels);
     drop_impassable(rooms.labels, clearance, options.min_passable_m);
     adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m,
-                  options.min_component_m2);
+                  kMaxPocketM2);
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = graph.columns.size() / 2;

@@ -96,6 +96,28 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";
 }
 
+TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
+    const Raster<std::uint8_t> free = drawn_mask({"......",  //
+                                                  ".####.",  //
+                                                  ".#..#.",  //
+                                                  ".####.",  //
+                                                  "......"});
+    const Rows rows{"aaaaaa",  //
+                    "a....a",  //
+                    "a.bb.a",  //
+                    "a....a",  //
+                    "aaaaaa"};
+    Raster<std::uint32_t> labels = drawn_labels(rows);
+    adopt_pockets(labels, free, 0.1, 0.2);
+    EXPECT_EQ(as_drawing(labels), rows) << "two small rooms are no pockets of each other";
+    adopt_pockets(labels, free, 0.1, 0.1);
+    EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
+                                        "a.aa.a",  //
+                                        "aaaaaa",  //
+                                        "a.aa.a",  //
+                                        "aaaaaa"}));
+}
+
 TEST(Regions, WhereNoRobotFitsIsNoRoom) {
     Raster<std::uint32_t> labels = drawn_labels({"aa.b", "aa.b"});
     Raster<float> clearance({0, 0}, 4, 2, 0.1F);
