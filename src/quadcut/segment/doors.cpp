@@ -3,12 +3,13 @@
 #include "quadcut/segment/doors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
 
-#include "quadcut/segment/narrowing.hpp"
+#include "quadcut/segment/door_model.hpp"
 
 namespace quadcut {
 namespace {
@@ -77,7 +78,7 @@ Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& 
     Saddle widest;
     for (const Contact& contact : opening) {
         const float height = std::min(clearance.at(contact.a), clearance.at(contact.b));
-        if (height > widest.clearance_m) widest = {contact.a, contact.b, height};
+        if (height > widest.clearance_m) widest = {contact.a, contact.b, height, opening.size()};
     }
     return widest;
 }
@@ -92,7 +93,7 @@ Point jamb_point(Cell jamb, Cell other, double resolution_m, const Pose& map_fro
 }
 
 /// Without jambs on both sides the ends of the contact stand for them.
-void use_ends_as_jambs(const std::vector<Contact>& opening, Narrowing& narrowing) {
+std::array<Cell, 2> ends_of(const std::vector<Contact>& opening) {
     const Cell first = opening.front().a;
     Cell end = first;
     const auto squared = [](Cell p, Cell q) {
@@ -103,7 +104,7 @@ void use_ends_as_jambs(const std::vector<Contact>& opening, Narrowing& narrowing
     for (const Contact& contact : opening) {
         if (squared(contact.a, first) > squared(end, first)) end = contact.a;
     }
-    narrowing.jambs = {first, end};
+    return {first, end};
 }
 
 }  // namespace
@@ -120,12 +121,12 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
         for (const auto& opening : split_into_openings(contacts)) {
             const Saddle saddle = widest_contact(opening, clearance_m);
             if (saddle.clearance_m <= 0.0F) continue;
-            Narrowing narrowing = gauge.measure(saddle, regions);
-            if (!narrowing.has_jambs) use_ends_as_jambs(opening, narrowing);
+            const Narrowing narrowing = gauge.measure(saddle, regions);
+            const std::array<Cell, 2> jambs =
+                narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening);
             Door door;
             door.a = RoomId{pair.first};
             door.b = RoomId{pair.second};
-            const auto& jambs = narrowing.jambs;
             door.jamb_1 = jamb_point(jambs[0], jambs[1], resolution_m, map_from_image);
             door.jamb_2 = jamb_point(jambs[1], jambs[0], resolution_m, map_from_image);
             door.width_m = distance(door.jamb_1, door.jamb_2);

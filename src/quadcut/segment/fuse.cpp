@@ -3,13 +3,12 @@
 #include "quadcut/segment/fuse.hpp"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <vector>
 
-#include "quadcut/segment/narrowing.hpp"
+#include "quadcut/segment/door_model.hpp"
+#include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
 namespace {
@@ -31,107 +30,16 @@ struct Candidate {
     }
 };
 
-/// Regions that only ever join, with the widest saddle to each neighbour.
-class RegionGraph {
-public:
-    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const Raster<float>& clearance, double resolution_m)
-        : pieces_(pieces),
-          clearance_(clearance),
-          gauge_(clearance, resolution_m),
-          region_(num_pieces + 1),
-          members_(num_pieces + 1),
-          area_m2_(num_pieces + 1, 0.0),
-          version_(num_pieces + 1, 0),
-          saddles_(num_pieces + 1) {
-        std::iota(region_.begin(), region_.end(), 0U);
-        for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-        for (const std::uint32_t piece : pieces.values) {
-            area_m2_[piece] += resolution_m * resolution_m;
-        }
-        find_saddles();
-    }
-
-    /// The region that a piece has become part of; a region is named by one of its pieces.
-    [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
-    [[nodiscard]] bool is_region(std::uint32_t piece) const { return region_[piece] == piece; }
-
-    /// Joins b into a; the saddles of both to a third region become the wider of the two.
-    void join(std::uint32_t a, std::uint32_t b) {
-        for (const std::uint32_t piece : members_[b]) region_[piece] = a;
-        members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
-        members_[b].clear();
-        area_m2_[a] += area_m2_[b];
-        ++version_[a];
-        saddles_[a].erase(b);
-        for (const auto& [other, saddle] : saddles_[b]) {
-            saddles_[other].erase(b);
-            if (other == a) continue;
-            widen(saddles_[a], other, saddle);
-            widen(saddles_[other], a, {saddle.b, saddle.a, saddle.clearance_m});
-        }
-        saddles_[b].clear();
-    }
-
-    [[nodiscard]] Narrowing measure(const Saddle& saddle) {
-        return gauge_.measure(saddle, {pieces_, region_});
-    }
-
-    /// The log-odds of a door; that of no door at all when the opening is too wide for one.
-    [[nodiscard]] double door_likeness(const Saddle& saddle, double max_width_m) {
-        if (2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) return kNoDoor;
-        return door_log_odds(measure(saddle));
-    }
-
-    [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
-        return saddles_[region];
-    }
-    [[nodiscard]] double area_m2(std::uint32_t region) const { return area_m2_[region]; }
-    [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
-    [[nodiscard]] std::uint32_t num_pieces() const {
-        return static_cast<std::uint32_t>(region_.size() - 1);
-    }
-
-private:
-    static void widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
-                      const Saddle& saddle) {
-        const auto [at, is_new] = saddles.emplace(other, saddle);
-        if (!is_new && saddle.clearance_m > at->second.clearance_m) at->second = saddle;
-    }
-
-    void meet(Cell cell_a, Cell cell_b) {
-        const std::uint32_t a = pieces_.at(cell_a);
-        const std::uint32_t b = pieces_.at(cell_b);
-        if (a == 0 || b == 0 || a == b) return;
-        const float height = std::min(clearance_.at(cell_a), clearance_.at(cell_b));
-        widen(saddles_[a], b, {cell_a, cell_b, height});
-        widen(saddles_[b], a, {cell_b, cell_a, height});
-    }
-
-    void find_saddles() {
-        for (std::int32_t y = 0; y < pieces_.height; ++y) {
-            for (std::int32_t x = 0; x < pieces_.width; ++x) {
-                const Cell cell{pieces_.origin.x + x, pieces_.origin.y + y};
-                if (x + 1 < pieces_.width) meet(cell, {cell.x + 1, cell.y});
-                if (y + 1 < pieces_.height) meet(cell, {cell.x, cell.y + 1});
-            }
-        }
-    }
-
-    const Raster<std::uint32_t>& pieces_;
-    const Raster<float>& clearance_;
-    NarrowingGauge gauge_;
-    std::vector<std::uint32_t> region_;
-    std::vector<std::vector<std::uint32_t>> members_;
-    std::vector<double> area_m2_;
-    std::vector<std::uint32_t> version_;
-    std::vector<std::map<std::uint32_t, Saddle>> saddles_;
-};
+/// The log-odds of a door; that of no door at all when the opening is too wide for one.
+double door_likeness(RegionGraph& regions, const Saddle& saddle, double max_width_m) {
+    if (2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) return kNoDoor;
+    return door_log_odds(regions.measure(saddle));
+}
 
 void push_saddles(RegionGraph& regions, std::uint32_t region, double max_width_m,
                   std::priority_queue<Candidate>& queue) {
     for (const auto& [other, saddle] : regions.saddles(region)) {
-        queue.push({regions.door_likeness(saddle, max_width_m), region, other,
+        queue.push({door_likeness(regions, saddle, max_width_m), region, other,
                     regions.version(region), regions.version(other)});
     }
 }
@@ -142,7 +50,7 @@ void join_across_wide_saddles(RegionGraph& regions, const FuseOptions& options) 
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other < region) continue;
-            queue.push({regions.door_likeness(saddle, options.max_width_m), region, other, 0, 0});
+            queue.push({door_likeness(regions, saddle, options.max_width_m), region, other, 0, 0});
         }
     }
     while (!queue.empty() && queue.top().key < options.min_log_odds) {

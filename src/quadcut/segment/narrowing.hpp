@@ -3,37 +3,36 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/segment/opening.hpp"
 
 namespace quadcut {
 
-/// Where two regions meet at their widest: the pair of touching cells, one in each region, whose
-/// smaller clearance is the largest of the common border.
-struct Saddle {
-    Cell a;
-    Cell b;
-    float clearance_m = 0.0F;
+/// What lies on one side of a saddle, measured along paths inside the region of that side.
+struct SideOfSaddle {
+    /// The largest clearance within 1.5, 3 and 5 m of the saddle, metres.
+    std::array<double, 3> peak_m{};
+    /// The free area within 3 and 5 m.
+    std::array<double, 2> area_m2{};
+    /// The length of the longest path; at most 5 m.
+    double reach_m = 0.0;
 };
 
-/// What tells a doorway from a bulge, measured at a saddle of half-width h (its clearance).
+/// What tells a doorway from a bulge, measured at a saddle.
 struct Narrowing {
-    /// ln(largest clearance / h) on the narrower side, within 5 m of the saddle; 0 .. ln 1.6.
-    double narrower_side = 0.0;
-    /// The same on the wider side, within 3 m; 0 .. ln 2.2.
-    double wider_side = 0.0;
-    /// How far the narrower side reaches from the saddle, in opening widths (2 h); at most 4.
-    double depth = 0.0;
-    /// Length of thin wall behind both jambs: obstacle with free space on both faces, 0 .. 0.8 m.
-    double jamb_m = 0.0;
-    /// Length of wall flush with the opening on one side, at the shorter end, 0 .. 0.5 m.
-    double flush_m = 0.0;
-    /// The obstacle points on both sides of the opening, in cells (centres at + 0.5).
-    std::array<Cell, 2> jambs{};
-    bool has_jambs = false;
+    /// Half the width of the opening: the clearance of the saddle.
+    double half_width_m = 0.0;
+    /// The side with the smaller peak within 5 m, and the other one.
+    SideOfSaddle narrower;
+    SideOfSaddle wider;
+    /// The length of the border between the two regions, over the width of the opening.
+    double border_ratio = 0.0;
+    Opening opening;
 };
 
 /// Which region each cell is in: pieces that have been joined into regions.
@@ -57,16 +56,7 @@ public:
     [[nodiscard]] Narrowing measure(const Saddle& saddle, const RegionsView& regions);
 
 private:
-    /// What lies on one side of a saddle.
-    struct Side {
-        double peak_near_m = 0.0;
-        double peak_far_m = 0.0;
-        double reach_m = 0.0;
-    };
-
-    Side walk_outward(Cell seed, double half_width_m, const RegionsView& regions);
-    void visit(Cell cell, std::size_t steps, Cell seed, std::uint32_t region,
-               const RegionsView& regions, Side& side);
+    SideOfSaddle walk_outward(Cell seed, const RegionsView& regions);
 
     const Raster<float>& clearance_;
     double resolution_m_;
@@ -79,8 +69,5 @@ private:
     std::uint32_t walk_ = 0;
     std::vector<std::vector<Cell>> buckets_;
 };
-
-/// How clearly a narrowing is a door: the logarithm of the odds. Positive: keep the cut.
-[[nodiscard]] double door_log_odds(const Narrowing& narrowing);
 
 }  // namespace quadcut

@@ -129,8 +129,7 @@ Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std:
     // 6. Rooms are connected, and what is enclosed by furniture belongs to the room around it.
     connect_regions(rooms.labels);
     drop_impassable(rooms.labels, clearance, options.min_passable_m);
-    adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m,
-                  kMaxPocketM2);
+    adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m, kMaxPocketM2);
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = graph.columns.size() / 2;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/door_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quadcut/segment/door_trees.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr double kLeast = 1e-3;
+
+float logarithm(double ratio) { return static_cast<float>(std::log(std::max(ratio, kLeast))); }
+
+}  // namespace
+
+const std::array<std::string_view, kNumDoorCues>& door_cue_names() {
+    static constexpr std::array<std::string_view, kNumDoorCues> kNames{
+        "half_width_m",      "narrower_peak_1.5", "narrower_peak_3",   "narrower_peak_5",
+        "wider_peak_1.5",    "wider_peak_3",      "wider_peak_5",      "narrower_reach",
+        "wider_reach",       "narrower_area_5",   "wider_area_5",      "narrower_area_3_m2",
+        "wider_area_3_m2",   "less_thin_wall_m",  "more_thin_wall_m",  "less_flush_wall_m",
+        "more_flush_wall_m", "border_ratio",      "widening_1_less_m", "widening_1_more_m",
+        "widening_2_less_m", "widening_2_more_m", "jamb_distance_m"};
+    return kNames;
+}
+
+std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing) {
+    const double h = narrowing.half_width_m;
+    const SideOfSaddle& narrower = narrowing.narrower;
+    const SideOfSaddle& wider = narrowing.wider;
+    const Opening& opening = narrowing.opening;
+    return {static_cast<float>(h),
+            logarithm(narrower.peak_m[0] / h),
+            logarithm(narrower.peak_m[1] / h),
+            logarithm(narrower.peak_m[2] / h),
+            logarithm(wider.peak_m[0] / h),
+            logarithm(wider.peak_m[1] / h),
+            logarithm(wider.peak_m[2] / h),
+            static_cast<float>(narrower.reach_m / (2.0 * h)),
+            static_cast<float>(wider.reach_m / (2.0 * h)),
+            logarithm(narrower.area_m2[1] / (4.0 * h * h)),
+            logarithm(wider.area_m2[1] / (4.0 * h * h)),
+            logarithm(narrower.area_m2[0]),
+            logarithm(wider.area_m2[0]),
+            static_cast<float>(opening.thin_wall_m[0]),
+            static_cast<float>(opening.thin_wall_m[1]),
+            static_cast<float>(opening.flush_wall_m[0]),
+            static_cast<float>(opening.flush_wall_m[1]),
+            static_cast<float>(narrowing.border_ratio),
+            static_cast<float>(opening.widening_m[0][0]),
+            static_cast<float>(opening.widening_m[0][1]),
+            static_cast<float>(opening.widening_m[1][0]),
+            static_cast<float>(opening.widening_m[1][1]),
+            static_cast<float>(opening.width_m)};
+}
+
+double door_log_odds(const Narrowing& narrowing) {
+    const std::array<float, kNumDoorCues> cues = door_cues(narrowing);
+    double log_odds = kDoorBias;
+    for (const DoorTree& tree : kDoorTrees) {
+        // A branch goes on to the node that it names, or ends at the leaf of that number.
+        int node = 0;
+        do {
+            const DoorBranch& branch = tree.branches[static_cast<std::size_t>(node)];
+            node = cues[branch.cue] <= branch.threshold ? branch.below : branch.above;
+        } while (node > 0);
+        log_odds += static_cast<double>(tree.leaves[static_cast<std::size_t>(-node)]);
+    }
+    return log_odds;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/segment/narrowing.hpp"
+
+namespace quadcut {
+
+/// Regions made of pieces that only ever join, with the widest saddle to each neighbour.
+class RegionGraph {
+public:
+    /// One region a piece (labels 1 .. num_pieces). The rasters must outlive the graph. O(cells).
+    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                const Raster<float>& clearance_m, double resolution_m);
+
+    /// The region that a piece has become part of; a region is named by one of its pieces.
+    [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
+    [[nodiscard]] bool is_region(std::uint32_t piece) const { return region_[piece] == piece; }
+    [[nodiscard]] std::uint32_t num_pieces() const {
+        return static_cast<std::uint32_t>(region_.size() - 1);
+    }
+    /// The regions that touch this one, and where they are widest apart from it.
+    [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
+        return saddles_[region];
+    }
+    [[nodiscard]] double area_m2(std::uint32_t region) const { return area_m2_[region]; }
+    /// How often the region has been joined with another.
+    [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
+
+    /// Joins b into a; the saddles of both to a third region become the wider of the two.
+    void join(std::uint32_t a, std::uint32_t b);
+
+    [[nodiscard]] Narrowing measure(const Saddle& saddle) {
+        return gauge_.measure(saddle, {pieces_, region_});
+    }
+
+private:
+    static void widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
+                      const Saddle& saddle);
+    void meet(Cell cell_a, Cell cell_b);
+
+    const Raster<std::uint32_t>& pieces_;
+    const Raster<float>& clearance_;
+    NarrowingGauge gauge_;
+    std::vector<std::uint32_t> region_;
+    std::vector<std::vector<std::uint32_t>> members_;
+    std::vector<double> area_m2_;
+    std::vector<std::uint32_t> version_;
+    std::vector<std::map<std::uint32_t, Saddle>> saddles_;
+};
+
+}  // namespace quadcut
