@@ -46,15 +46,16 @@ struct Eigenpairs {
 /// What is returned has been checked: residuals, orthonormality, and, by the inertia of a
 /// factorisation of L - sigma I (Sylvester), that no smaller eigenvalue was passed over. Throws
 /// NumericalError when a check fails, std::logic_error where Laplacian() does.
-/// Cost: two or three sparse factorisations and about 1.5 count solves per component that
-/// contributes; memory about 2 count vectors.
+/// Cost: two sparse factorisations for each component, two to four solves a pair, and as many times
+/// `count` products of vectors; memory about 2.3 count + 32 vectors (256 + 2 count at most).
 [[nodiscard]] Eigenpairs smallest_eigenpairs(const Graph& graph, LaplacianKind kind,
                                              std::size_t count, const EigenOptions& options = {},
                                              const Executor& executor = {});
 
 /// All eigenpairs with an eigenvalue below `limit` (in the unit of `kind`), but the `max_count`
-/// smallest at most. An eigenvalue within 1e-9 of the norm from the limit may fall on either side.
-/// Checked, and throws, as smallest_eigenpairs().
+/// smallest at most. An eigenvalue within 1e-9 of the norm from the limit may fall on either side
+/// (3e-6 where no factorisation nearer is stable). Checked, and throws, as smallest_eigenpairs();
+/// one factorisation more, at the limit, says how many there are.
 [[nodiscard]] Eigenpairs eigenpairs_below(const Graph& graph, LaplacianKind kind, double limit,
                                           std::size_t max_count, const EigenOptions& options = {},
                                           const Executor& executor = {});

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 #include <Eigen/Dense>
 
@@ -14,273 +14,237 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr Index kBlock = 2;
+constexpr Index kBlock = ShiftedFactor::kWidth;
+using Lengths = Eigen::Matrix<double, 1, kBlock>;
+
+/// Rows of all vectors that stay in the cache, and that are one thread's at a time.
 constexpr Index kBandRows = 1024;
-/// Pairs one start goes for.
-constexpr Index kMaxAim = 64;
-/// Steps between two looks at the Ritz values.
-constexpr Index kCheckEvery = 2;
-/// Vectors of one start at most, for each pair it goes for. Some 2.5 are the rule.
-constexpr Index kBasisPerPair = 6;
-/// Starts without a pair before giving up.
-constexpr int kMaxBarren = 3;
+/// Vectors between two looks at the Ritz values.
+constexpr Index kCheckEvery = 8;
+/// Vectors of the basis, beside 5/4 of the pairs: more take longer to reorthogonalise, fewer
+/// converge more slowly.
+constexpr Index kExtraVectors = 32;
+constexpr Index kMaxVectors = 256;
+/// Restarts without a pair before giving up.
+constexpr int kMaxBarren = 20;
 /// A column of which no larger share is left is rounding error.
 constexpr double kDependent = 1e-12;
 /// One of which no larger share is left is made orthogonal once more.
 constexpr double kShrunk = 1e-3;
-/// Largest |A x - theta x| / |theta|: keeps vectors accurate and, squared, orthonormal.
-constexpr double kMaxRelativeResidual = 1e-8;
 
-/// Takes the components along the orthonormal columns of `basis` out of `block`. In bands of rows
-/// that stay in the cache, and column by column: for so few columns a matrix product would spend
-/// its time on packing the basis.
-void orthogonalize(const Eigen::Ref<const MatrixXd>& basis, Eigen::Ref<MatrixXd> block) {
-    if (basis.cols() == 0) return;
-    const auto for_each_band = [&](const auto& body) {
-        for (Index first = 0; first < basis.rows(); first += kBandRows) {
-            const Index count = std::min(kBandRows, basis.rows() - first);
-            for (Index j = 0; j < block.cols(); ++j) body(first, count, j);
-        }
-    };
-    MatrixXd along = MatrixXd::Zero(basis.cols(), block.cols());
-    for_each_band([&](Index first, Index count, Index j) {
-        along.col(j).noalias() +=
-            basis.middleRows(first, count).transpose() * block.col(j).segment(first, count);
-    });
-    for_each_band([&](Index first, Index count, Index j) {
-        block.col(j).segment(first, count).noalias() -=
-            basis.middleRows(first, count) * along.col(j);
-    });
-}
-
-/// Lanczos with A = (L - shift I)^-1 on the complement of some vectors.
+/// Lanczos with A = (L - sigma I)^-1 on the complement of the known vectors and of what is found.
 class BlockLanczos {
 public:
-    struct Ritz {
-        VectorXd thetas;
-        /// Coordinates in the basis, a column a pair.
-        MatrixXd coordinates;
-        /// |A x - theta x|.
-        VectorXd residuals;
-    };
-
-    /// Begins with the columns of `first`, and random ones to fill the block. At most `capacity`
-    /// vectors are made. Everything stays orthogonal to `deflated`, which is orthonormal.
-    BlockLanczos(const ShiftedFactor& factor, const MatrixXd& deflated, const MatrixXd& first,
-                 Index capacity, Random& random)
+    BlockLanczos(const ShiftedFactor& factor, std::span<const double> known, Index num_missing,
+                 double max_residual, Random& random, const Executor& executor)
         : factor_(factor),
+          max_residual_(max_residual),
           random_(random),
-          num_deflated_(deflated.cols()),
-          num_dims_(deflated.rows() - deflated.cols()),
-          all_(deflated.rows(), num_deflated_ + std::min(capacity, num_dims_)),
-          projected_(MatrixXd::Zero(all_.cols() - num_deflated_, all_.cols() - num_deflated_)),
-          next_(MatrixXd::Zero(deflated.rows(), std::min(kBlock, projected_.cols()))) {
-        all_.leftCols(num_deflated_) = deflated;
-        const Index given = std::min(first.cols(), next_.cols());
-        next_.leftCols(given) = first.leftCols(given);
-        orthonormalize_next(VectorXd::Ones(next_.cols()));
-    }
-
-    /// Appends the next block to the basis and makes the one after it. False if there is no room.
-    bool step() {
-        const Index width = next_.cols();
-        if (width == 0 || num_basis_ + width > projected_.cols()) return false;
-        MatrixXd image = apply_inverse(next_);
-        const VectorXd lengths = image.colwise().norm();
-        // The three-term recurrence takes out what is large; rounding errors are left for later.
-        const MatrixXd diagonal = next_.transpose().lazyProduct(image);
-        projected_.block(num_basis_, num_basis_, width, width) =
-            0.5 * (diagonal + diagonal.transpose());
-        image.noalias() -= next_.lazyProduct(diagonal);
-        if (num_basis_ > 0) {
-            const Index before = coupling_.cols();
-            const Index begin = num_basis_ - before;
-            image.noalias() -=
-                all_.middleCols(num_deflated_ + begin, before).lazyProduct(coupling_.transpose());
-            projected_.block(num_basis_, begin, width, before) = coupling_;
-            projected_.block(begin, num_basis_, before, width) = coupling_.transpose();
+          executor_(executor),
+          num_missing_(num_missing),
+          num_known_(static_cast<Index>(known.size() / factor.order().size())) {
+        const Index size = static_cast<Index>(factor.order().size());
+        const Index capacity =
+            std::min(kMaxVectors, num_missing + num_missing / 4 + kExtraVectors) / kBlock * kBlock;
+        projected_ = MatrixXd::Zero(capacity, capacity);
+        all_.resize(size, num_known_ + num_missing + capacity + kBlock);
+        const Eigen::Map<const MatrixXd> given(known.data(), size, num_known_);
+        for (Index i = 0; i < size; ++i) {
+            all_.row(i).head(num_known_) = given.row(factor.order()[i]);
         }
-        all_.middleCols(num_deflated_ + num_basis_, width) = next_;
-        num_basis_ += width;
-        next_ = std::move(image);
-        orthonormalize_next(lengths);
-        return true;
+        next().setZero();
+        orthonormalize_next(Lengths::Ones());
     }
 
-    [[nodiscard]] Ritz ritz() const {
-        const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-            projected_.topLeftCorner(num_basis_, num_basis_));
-        Ritz result{solver.eigenvalues(), solver.eigenvectors(), {}};
-        result.residuals = (coupling_ * result.coordinates.bottomRows(coupling_.cols()))
-                               .colwise()
-                               .norm()
-                               .transpose();
-        return result;
-    }
-
-    /// Ritz vectors improved by one application of A, which costs nothing: A x / theta is
-    /// x + next * coupling * (last coordinates of x) / theta.
-    [[nodiscard]] MatrixXd vectors(const Ritz& ritz, const std::vector<Index>& chosen) const {
-        MatrixXd coordinates(num_basis_, static_cast<Index>(chosen.size()));
-        MatrixXd beyond(coupling_.rows(), coordinates.cols());
-        for (Index i = 0; i < coordinates.cols(); ++i) {
-            const Index j = chosen[static_cast<std::size_t>(i)];
-            coordinates.col(i) = ritz.coordinates.col(j);
-            beyond.col(i) = coupling_ * coordinates.col(i).tail(coupling_.cols()) / ritz.thetas[j];
+    [[nodiscard]] LanczosPairs find() {
+        Index next_check = num_missing_ + kCheckEvery;
+        for (int num_barren = 0; num_missing_ > 0 && num_barren < kMaxBarren;) {
+            step();
+            const bool is_last = num_basis() + kBlock > projected_.cols() || next().isZero();
+            if (!is_last && num_basis() < next_check) continue;
+            next_check = num_basis() + kCheckEvery;
+            const Index num_converged = std::min(num_missing_, find_ritz_pairs());
+            if (!is_last && num_converged < num_missing_) continue;
+            restart(num_converged);
+            num_barren = num_converged == 0 ? num_barren + 1 : 0;
+            next_check = num_missing_ + kCheckEvery;
         }
-        MatrixXd result = all_.middleCols(num_deflated_, num_basis_) * coordinates;
-        result.noalias() += next_ * beyond;
-        return result;
+        return unpack();
     }
-
-    [[nodiscard]] Index num_basis() const { return num_basis_; }
 
 private:
-    [[nodiscard]] MatrixXd apply_inverse(const MatrixXd& block) const {
-        RowMajorMatrix rows = RowMajorMatrix::Zero(block.rows(), kBlock);
-        rows.leftCols(block.cols()) = block;
-        factor_.solve({rows.data(), static_cast<std::size_t>(rows.size())}, kBlock);
-        return rows.leftCols(block.cols());
+    [[nodiscard]] Index num_basis() const { return num_ - num_fixed_; }
+    /// The block after the basis.
+    [[nodiscard]] Eigen::Block<MatrixXd, Eigen::Dynamic, kBlock, true> next() {
+        return all_.middleCols<kBlock>(num_);
     }
 
-    /// Makes next_ orthonormal, and orthogonal to all before it. `lengths`: of its columns before
-    /// anything was taken out. A column without a direction of its own gets a random one that is
-    /// not coupled. next_ is cut to the number of dimensions left.
-    void orthonormalize_next(const VectorXd& lengths) {
-        const auto basis = all_.leftCols(num_deflated_ + num_basis_);
-        orthogonalize(basis, next_);
-        const Index count = next_.cols();
-        const Index width = std::min(count, num_dims_ - num_basis_);
-        coupling_ = MatrixXd::Zero(count, count);
-        for (Index j = 0; j < count; ++j) {
-            auto column = next_.col(j);
-            const Index num_before = std::min(j, width);
-            const auto before = next_.leftCols(num_before);
-            for (int pass = 0; pass < 2; ++pass) {
-                const VectorXd along = before.transpose() * column;
-                column.noalias() -= before * along;
-                coupling_.col(j).head(num_before) += along;
+    void for_each_band(const std::function<void(Index first, Index count)>& body) const {
+        parallel_for(executor_, all_.rows(), kBandRows, [&](std::size_t first, std::size_t last) {
+            body(static_cast<Index>(first), static_cast<Index>(last - first));
+        });
+    }
+
+    /// Takes what lies along the vectors from `first` on out of the next block, and returns it.
+    /// Column by column: for so few a matrix product would spend its time on packing the basis.
+    MatrixXd orthogonalize_next(Index first) {
+        const auto basis = all_.middleCols(first, num_ - first);
+        auto block = next();
+        MatrixXd along_of_bands =
+            MatrixXd::Zero(basis.cols() * kBlock, (basis.rows() + kBandRows - 1) / kBandRows);
+        for_each_band([&](Index begin, Index count) {
+            for (Index j = 0; j < kBlock; ++j) {
+                along_of_bands.col(begin / kBandRows)
+                    .segment(j * basis.cols(), basis.cols())
+                    .noalias() +=
+                    basis.middleRows(begin, count).transpose() * block.col(j).segment(begin, count);
             }
-            if (j >= width) continue;
-            const double length = column.norm();
-            if (length <= kDependent * lengths[j]) {
-                for (double& value : column) value = random_.uniform(-1.0, 1.0);
-                column.normalize();
-            } else {
-                coupling_(j, j) = length;
-                column /= length;
+        });
+        MatrixXd along = along_of_bands.rowwise().sum().reshaped(basis.cols(), kBlock);
+        for_each_band([&](Index begin, Index count) {
+            for (Index j = 0; j < kBlock; ++j) {
+                block.col(j).segment(begin, count).noalias() -=
+                    basis.middleRows(begin, count) * along.col(j);
             }
-            if (length > kShrunk * lengths[j]) continue;
-            for (int pass = 0; pass < 2; ++pass) {
-                orthogonalize(basis, column);
-                orthogonalize(before, column);
-                column.normalize();
+        });
+        return along;
+    }
+
+    /// Adds the next block to the basis and makes the one after it.
+    void step() {
+        Eigen::Matrix<double, Eigen::Dynamic, kBlock, Eigen::RowMajor> image = next();
+        factor_.solve({image.data(), static_cast<std::size_t>(image.size())});
+        num_ += kBlock;
+        next() = image;
+        const Lengths lengths = next().colwise().norm();
+        // The recurrence takes out what is large; rounding errors are left for later.
+        const MatrixXd along = orthogonalize_next(first_coupled_);
+        const Index row = first_coupled_ - num_fixed_;
+        const Index last = num_basis() - kBlock;
+        projected_.block(row, last, along.rows(), kBlock) = along;
+        projected_.block(last, row, kBlock, along.rows()) = along.transpose();
+        first_coupled_ = num_ - kBlock;
+        orthonormalize_next(lengths);
+    }
+
+    /// Makes the next block orthonormal, and orthogonal to all before it. `lengths`: of its columns
+    /// before anything was taken out. A column without a direction of its own gets a random one
+    /// that is not coupled, or is zero when no dimension is left.
+    void orthonormalize_next(Lengths lengths) {
+        coupling_.setIdentity();
+        bool again = true;
+        for (int pass = 0; pass < 3 && again; ++pass) {
+            (void)orthogonalize_next(0);
+            again = false;
+            MatrixXd triangle = MatrixXd::Zero(kBlock, kBlock);
+            for (Index j = 0; j < kBlock; ++j) {
+                auto column = next().col(j);
+                for (Index i = 0; i < j; ++i) {
+                    triangle(i, j) = next().col(i).dot(column);
+                    column -= triangle(i, j) * next().col(i);
+                }
+                const double length = column.norm();
+                again = again || length <= kShrunk * lengths[j];
+                if (length > kDependent * lengths[j]) {
+                    triangle(j, j) = length;
+                    column /= length;
+                } else if (pass < 2) {
+                    for (double& value : column) value = random_.uniform(-1.0, 1.0);
+                    column.normalize();
+                } else {
+                    column.setZero();
+                }
+            }
+            coupling_ = triangle * coupling_;
+            lengths.setOnes();
+        }
+    }
+
+    /// Makes thetas_ and coordinates_, largest first; returns how many have converged before the
+    /// first that has not.
+    Index find_ritz_pairs() {
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+            projected_.topLeftCorner(num_basis(), num_basis()));
+        thetas_ = solver.eigenvalues().reverse();
+        coordinates_ = solver.eigenvectors().rowwise().reverse();
+        const VectorXd residuals = (coupling_ * coordinates_.bottomRows<kBlock>()).colwise().norm();
+        Index num_converged = 0;
+        // Of the improved vector A x / theta: L's residual is A's over theta^2.
+        while (num_converged < thetas_.size() && thetas_[num_converged] > 0.0 &&
+               residuals[num_converged] <= max_residual_ * std::pow(thetas_[num_converged], 2)) {
+            ++num_converged;
+        }
+        return num_converged;
+    }
+
+    /// Locks the first Ritz pairs, and makes some more of them the basis, all coupled with the next
+    /// block. What is locked is improved by one application of A, which costs
+    /// nothing: A x / theta is x + next * coupling * (last coordinates of x) / theta.
+    void restart(Index num_locked) {
+        const Index num_kept = num_locked + (num_basis() - num_locked) / 3;
+        MatrixXd beyond = coupling_ * coordinates_.bottomRows<kBlock>().leftCols(num_locked);
+        for (Index j = 0; j < num_locked; ++j) {
+            beyond.col(j) /= thetas_[j];
+            values_.push_back(factor_.shift() + 1.0 / thetas_[j]);
+        }
+        for_each_band([&](Index begin, Index count) {
+            auto band = all_.middleRows(begin, count);
+            const MatrixXd block = band.middleCols<kBlock>(num_);
+            MatrixXd kept =
+                band.middleCols(num_fixed_, num_basis()) * coordinates_.leftCols(num_kept);
+            kept.leftCols(num_locked) += block * beyond;
+            band.middleCols(num_fixed_, num_kept) = kept;
+            band.middleCols<kBlock>(num_fixed_ + num_kept) = block;
+        });
+        num_ = num_fixed_ + num_kept;
+        num_fixed_ += num_locked;
+        num_missing_ -= num_locked;
+        first_coupled_ = num_fixed_;
+        projected_.setZero();
+        projected_.diagonal().head(num_basis()) = thetas_.segment(num_locked, num_basis());
+        orthonormalize_next(Lengths::Ones());
+    }
+
+    [[nodiscard]] LanczosPairs unpack() const {
+        LanczosPairs pairs{values_, std::vector<double>(values_.size() * all_.rows())};
+        Eigen::Map<MatrixXd> vectors(pairs.vectors.data(), all_.rows(), num_fixed_ - num_known_);
+        for (Index j = 0; j < vectors.cols(); ++j) {
+            for (Index i = 0; i < vectors.rows(); ++i) {
+                vectors(factor_.order()[i], j) = all_(i, num_known_ + j);
             }
         }
-        next_.conservativeResize(Eigen::NoChange, width);
-        coupling_.conservativeResize(width, Eigen::NoChange);
+        return pairs;
     }
 
     const ShiftedFactor& factor_;
+    double max_residual_;
     Random& random_;
-    Index num_deflated_;
-    /// Dimensions of the complement.
-    Index num_dims_;
-    /// What is deflated, then the basis.
+    const Executor& executor_;
+    Index num_missing_;
+    Index num_known_;
+    /// Vectors known, and those with what is found; with the basis too. Then comes the next block.
+    Index num_fixed_ = num_known_;
+    Index num_ = num_known_;
+    /// First vector that the next block is coupled with.
+    Index first_coupled_ = num_known_;
+    /// All vectors, in the order of the factor.
     MatrixXd all_;
-    Index num_basis_ = 0;
+    std::vector<double> values_;
+    /// A basis = basis projected + next coupling (on the last block of the basis).
     MatrixXd projected_;
-    MatrixXd next_;
-    /// A basis = basis projected + next_ coupling_ (on the last columns of the basis).
-    MatrixXd coupling_;
+    Eigen::Matrix<double, kBlock, kBlock> coupling_;
+    VectorXd thetas_;
+    MatrixXd coordinates_;
 };
-
-/// Which Ritz pairs of the slice have converged, and which have not.
-struct Sorted {
-    std::vector<Index> converged;
-    std::vector<Index> unconverged;
-};
-
-Sorted sort_out(const BlockLanczos::Ritz& ritz, double shift, const SpectrumSlice& slice,
-                double max_residual) {
-    Sorted result;
-    // Rounding may put a small eigenvalue below zero.
-    const double low = slice.low.num_below == 0 ? -slice.high.at : slice.low.at;
-    for (Index j = 0; j < ritz.thetas.size(); ++j) {
-        const double theta = ritz.thetas[j];
-        if (theta == 0.0) continue;
-        const double value = shift + 1.0 / theta;
-        if (value < low || value >= slice.high.at) continue;
-        // Of the improved vector A x / theta: L's residual is A's over theta^2.
-        const double relative = ritz.residuals[j] / std::abs(theta);
-        const bool good =
-            relative <= kMaxRelativeResidual && relative / std::abs(theta) <= max_residual;
-        (good ? result.converged : result.unconverged).push_back(j);
-    }
-    // By eigenvalue.
-    std::sort(result.converged.begin(), result.converged.end(),
-              [&](Index a, Index b) { return 1.0 / ritz.thetas[a] < 1.0 / ritz.thetas[b]; });
-    return result;
-}
-
-void append_columns(MatrixXd& matrix, const MatrixXd& columns) {
-    const Index before = matrix.cols();
-    matrix.conservativeResize(Eigen::NoChange, before + columns.cols());
-    matrix.rightCols(columns.cols()) = columns;
-}
 
 }  // namespace
 
-SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& slice,
-                            std::span<const double> null_vector, double max_residual,
-                            Random& random) {
-    const Index size = static_cast<Index>(null_vector.size());
-    const double shift = factor.shift();
-    // Locked: the null vector, then the pairs found.
-    MatrixXd locked = Eigen::Map<const VectorXd>(null_vector.data(), size);
-    std::vector<double> values;
-    MatrixXd first(size, 0);
-    int num_barren = 0;
-    while (values.size() < slice.num_wanted && locked.cols() < size && num_barren < kMaxBarren) {
-        const Index missing = static_cast<Index>(slice.num_wanted - values.size());
-        const Index aim = std::min(missing, kMaxAim);
-        BlockLanczos lanczos(factor, locked, first, (kBasisPerPair + num_barren) * (aim + 10),
-                             random);
-        BlockLanczos::Ritz ritz;
-        Sorted sorted;
-        Index next_check = aim + aim / 4 + 2 * kBlock;
-        bool more = true;
-        while (more) {
-            more = lanczos.step();
-            if (more && lanczos.num_basis() < next_check) continue;
-            ritz = lanczos.ritz();
-            sorted = sort_out(ritz, shift, slice, max_residual);
-            if (static_cast<Index>(sorted.converged.size()) >= missing) break;
-            next_check = lanczos.num_basis() + kCheckEvery * kBlock;
-        }
-        if (static_cast<Index>(sorted.converged.size()) > missing) {
-            sorted.converged.resize(static_cast<std::size_t>(missing));
-        }
-        for (const Index j : sorted.converged) values.push_back(shift + 1.0 / ritz.thetas[j]);
-        num_barren = sorted.converged.empty() ? num_barren + 1 : 0;
-        append_columns(locked, lanczos.vectors(ritz, sorted.converged));
-        if (values.size() < slice.num_wanted) first = lanczos.vectors(ritz, sorted.unconverged);
-    }
-
-    std::vector<std::size_t> by_value(values.size());
-    std::iota(by_value.begin(), by_value.end(), std::size_t{0});
-    std::stable_sort(by_value.begin(), by_value.end(),
-                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    SlicePairs result;
-    result.vectors.reserve(values.size() * null_vector.size());
-    for (const std::size_t j : by_value) {
-        result.values.push_back(values[j]);
-        const auto column = locked.col(static_cast<Index>(j) + 1);
-        result.vectors.insert(result.vectors.end(), column.begin(), column.end());
-    }
-    return result;
+LanczosPairs find_smallest_pairs(const ShiftedFactor& factor, std::span<const double> known,
+                                 std::size_t count, double max_residual, Random& random,
+                                 const Executor& executor) {
+    return BlockLanczos(factor, known, static_cast<Index>(count), max_residual, random, executor)
+        .find();
 }
 
 }  // namespace quadcut

@@ -6,26 +6,28 @@
 #include <span>
 #include <vector>
 
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/spectral/shifted_factor.hpp"
-#include "quadcut/spectral/slicing.hpp"
 
 namespace quadcut {
 
-/// Eigenpairs of one slice, eigenvalues ascending, vectors orthonormal and of the length of L, one
-/// after the other, in the order of the factor.
-struct SlicePairs {
+/// Eigenvalues, and vectors of the length of L, orthonormal, one after the other.
+struct LanczosPairs {
     std::vector<double> values;
     std::vector<double> vectors;
 };
 
-/// Block Lanczos with the inverse of L - sigma I, full reorthogonalisation, and locking of what has
-/// converged when it starts anew (Grimes, Lewis, Simon 1994; Parlett 1998). `factor` holds a
-/// factorisation at a shift inside the slice. `null_vector`, of length 1, is kept out of the
-/// search: it is known. Pairs have residuals |L v - lambda v| of at most `max_residual`, by
-/// estimate. Returns fewer than wanted if no more are found.
-[[nodiscard]] SlicePairs find_slice_pairs(const ShiftedFactor& factor, const SpectrumSlice& slice,
-                                          std::span<const double> null_vector, double max_residual,
-                                          Random& random);
+/// The `count` smallest eigenpairs of L but those whose vectors are `known` (orthonormal, one after
+/// the other), eigenvalues ascending but for what is found late: block Lanczos with the inverse of
+/// L - sigma I, full reorthogonalisation, thick restarts (Wu, Simon 2000) and locking of what has
+/// converged. `factor` holds a factorisation at a sigma below zero. Residuals |L v - lambda v| are
+/// at most `max_residual`, by estimate. Copies of a multiple eigenvalue may be passed over, and
+/// pairs are missing where the search makes no progress. Cost: two to four solves a pair, and as
+/// many times count + known products of vectors.
+[[nodiscard]] LanczosPairs find_smallest_pairs(const ShiftedFactor& factor,
+                                               std::span<const double> known, std::size_t count,
+                                               double max_residual, Random& random,
+                                               const Executor& executor);
 
 }  // namespace quadcut

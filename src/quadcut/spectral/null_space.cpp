@@ -3,12 +3,11 @@
 #include "quadcut/spectral/null_space.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <span>
+#include <cstddef>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
+#include "quadcut/spectral/lanczos.hpp"
 #include "quadcut/spectral/shifted_factor.hpp"
 
 namespace quadcut {
@@ -17,71 +16,33 @@ namespace {
 /// Share of the norm: eigenvalues below it count as zero.
 constexpr double kZero = 1e-9;
 constexpr double kSmallResidual = 1e-13;
-constexpr int kMaxPasses = 60;
 /// Of two rows, squared, as a share of their squared lengths.
 constexpr double kEqualRows = 1e-8;
-
-double dot(std::span<const double> a, std::span<const double> b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/// Takes away what lies along the vectors before, twice, and scales to length 1.
-void orthonormalize(std::span<double> vector, std::span<const double> before) {
-    const std::size_t size = vector.size();
-    for (int pass = 0; pass < 2; ++pass) {
-        for (std::size_t j = 0; j < before.size() / size; ++j) {
-            const auto other = before.subspan(j * size, size);
-            const double along = dot(vector, other);
-            for (std::size_t i = 0; i < size; ++i) vector[i] -= along * other[i];
-        }
-        const double length = std::sqrt(dot(vector, vector));
-        if (!(length > 0.0)) throw NumericalError("null space: no direction is left");
-        for (double& value : vector) value /= length;
-    }
-}
-
-/// (L - sigma I)^-1 of a vector in the order of L.
-std::vector<double> solve(const ShiftedFactor& factor, std::span<const double> vector) {
-    const auto order = factor.order();
-    std::vector<double> permuted(vector.size());
-    for (std::size_t i = 0; i < order.size(); ++i) permuted[i] = vector[order[i]];
-    factor.solve(permuted, 1);
-    std::vector<double> result(vector.size());
-    for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = permuted[i];
-    return result;
-}
-
-double residual(const Laplacian& laplacian, std::span<const double> vector) {
-    std::vector<double> image(vector.size());
-    laplacian.apply(vector, image);
-    return std::sqrt(dot(image, image)) / laplacian.norm_bound();
-}
 
 }  // namespace
 
 NullSpace find_null_space(const Laplacian& laplacian, std::uint64_t seed) {
-    NullSpace space;
-    space.num_nodes = laplacian.size();
-    if (space.num_nodes == 0) return space;
+    if (laplacian.size() == 0) return {};
+    const double norm = laplacian.norm_bound();
     ShiftedFactor factor(laplacian);
-    space.dimension = factor.factorize(kZero * laplacian.norm_bound()).num_below;
+    NullSpace space{laplacian.size(), factor.factorize(kZero * norm).num_below, {}};
     // Just below zero the matrix is definite, and its inverse is almost all null space.
-    (void)factor.factorize(-0.1 * kZero * laplacian.norm_bound());
+    factor.factorize(-0.1 * kZero * norm);
     Random random(seed);
-    for (std::size_t j = 0; j < space.dimension; ++j) {
-        std::vector<double> vector(space.num_nodes);
-        for (double& value : vector) value = random.uniform(-1.0, 1.0);
-        orthonormalize(vector, space.vectors);
-        double left = 1.0;
-        for (int pass = 0; pass < kMaxPasses && left > kSmallResidual; ++pass) {
-            vector = solve(factor, vector);
-            orthonormalize(vector, space.vectors);
-            left = residual(laplacian, vector);
+    for (std::size_t num_missing = space.dimension; num_missing > 0;) {
+        const LanczosPairs pairs = find_smallest_pairs(factor, space.vectors, num_missing,
+                                                       kSmallResidual * norm, random, {});
+        const std::size_t before = num_missing;
+        for (std::size_t j = 0; j < pairs.values.size(); ++j) {
+            // Where a copy of zero was passed over, there is another eigenvalue in its place.
+            if (pairs.values[j] > kZero * norm) continue;
+            const auto begin = pairs.vectors.begin() + j * space.num_nodes;
+            space.vectors.insert(space.vectors.end(), begin, begin + space.num_nodes);
+            --num_missing;
         }
-        if (!(left <= kZero)) {
-            throw NumericalError("null space: an inverse iteration did not converge");
+        if (num_missing == before) {
+            throw NumericalError("null space: the search did not converge");
         }
-        space.vectors.insert(space.vectors.end(), vector.begin(), vector.end());
     }
     return space;
 }

@@ -21,8 +21,8 @@ struct NullSpace {
 
 /// The null space of the Laplacian of any graph, found without looking at the graph's components:
 /// its dimension is the number of eigenvalues below 1e-9 of the norm (inertia of a factorisation),
-/// its basis comes by inverse iteration. Throws NumericalError when the residuals stay large.
-/// Cost: two factorisations and four solves per dimension.
+/// its basis comes by Lanczos steps just below zero. Throws NumericalError when these do not
+/// converge. Cost: two factorisations and a few solves per dimension.
 [[nodiscard]] NullSpace find_null_space(const Laplacian& laplacian, std::uint64_t seed = 1);
 
 /// The connected component of each node, numbered from 0 by first node, by the spectral way: nodes

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -13,19 +12,19 @@ namespace quadcut {
 
 /// The factorisation P (L - sigma I) P^T = M D M^T of a Laplacian L, M unit lower triangular, D
 /// diagonal, P a permutation that keeps M sparse (approximate minimum degree). It counts the
-/// eigenvalues below sigma and applies the inverse. Vectors are in the order of P.
+/// eigenvalues below sigma and applies the inverse.
 class ShiftedFactor {
 public:
+    /// Right-hand sides of one solve.
+    static constexpr int kWidth = 2;
+
     /// Finds P; nothing is factorised yet. On the graph of a floor plan M has few more entries than
     /// L, and the cost is close to linear.
     explicit ShiftedFactor(const Laplacian& laplacian);
-    /// Another factorisation of the same matrix, that shares P with `other` and no more.
-    ShiftedFactor(const ShiftedFactor& other);
-    ShiftedFactor& operator=(const ShiftedFactor&) = delete;
     ~ShiftedFactor();
 
     /// order()[i] is the row of L that stands in place i.
-    [[nodiscard]] std::span<const std::uint32_t> order() const;
+    [[nodiscard]] std::span<const int> order() const;
 
     /// What a factorisation tells.
     struct Inertia {
@@ -38,15 +37,13 @@ public:
     Inertia factorize(double shift);
     [[nodiscard]] double shift() const;
 
-    /// Overwrites `block`, row-major with `width` columns, with (L - sigma I)^-1 block. Width is a
-    /// power of two of at most 16. @pre factorize() has been called.
-    void solve(std::span<double> block, std::size_t width) const;
+    /// Overwrites `block`, row-major with kWidth columns, its rows in the order of P, with
+    /// (L - sigma I)^-1 block. @pre factorize() has found a factorisation.
+    void solve(std::span<double> block) const;
 
 private:
-    struct Matrix;
-    struct Numeric;
-    std::shared_ptr<const Matrix> matrix_;
-    std::unique_ptr<Numeric> numeric_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace quadcut
