@@ -8,10 +8,12 @@
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/segment/basins.hpp"
+#include "quadcut/segment/door_model.hpp"
 #include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/narrowing.hpp"
 #include "quadcut/segment/open_space.hpp"
+#include "quadcut/segment/opening.hpp"
 #include "tests/unit/segment/drawing.hpp"
 
 namespace quadcut {
@@ -53,13 +55,20 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     const Saddle saddle{{83, 38}, {84, 38}, rooms.clearance.at({83, 38})};
     const Narrowing narrowing = gauge.measure(saddle, {halves, own});
     EXPECT_NEAR(saddle.clearance_m, 0.45F, 0.03F);
-    EXPECT_DOUBLE_EQ(narrowing.narrower_side, std::log(1.6));
-    EXPECT_DOUBLE_EQ(narrowing.wider_side, std::log(2.2));
-    EXPECT_GT(narrowing.depth, 1.5);
-    EXPECT_GT(narrowing.jamb_m, 0.3) << "thin walls on both sides of the door";
-    ASSERT_TRUE(narrowing.has_jambs);
-    EXPECT_EQ(std::set<std::int32_t>({narrowing.jambs[0].y, narrowing.jambs[1].y}),
+    EXPECT_GT(narrowing.narrower.peak_m.back(), 2.0 * narrowing.half_width_m);
+    EXPECT_GE(narrowing.wider.peak_m.back(), narrowing.narrower.peak_m.back());
+    EXPECT_GE(narrowing.narrower.peak_m[2], narrowing.narrower.peak_m[0]);
+    EXPECT_GT(narrowing.narrower.reach_m, 3.0);
+    EXPECT_GT(narrowing.narrower.area_m2[0], 5.0);
+    const Opening& opening = narrowing.opening;
+    ASSERT_TRUE(opening.has_jambs);
+    EXPECT_EQ(std::set<std::int32_t>({opening.jambs[0].y, opening.jambs[1].y}),
               std::set<std::int32_t>({29, 48}));
+    EXPECT_NEAR(opening.width_m, 0.95, 0.051);
+    EXPECT_GT(opening.thin_wall_m[0], 0.3) << "thin walls on both sides of the door";
+    for (const auto& side : opening.widening_m) {
+        for (const double beyond_jamb : side) EXPECT_GT(beyond_jamb, 1.0) << "rooms are wider";
+    }
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
     EXPECT_DOUBLE_EQ(door_log_odds(gauge.measure(saddle, {halves, own})), door_log_odds(narrowing));
@@ -77,9 +86,52 @@ TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
         if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
     }
     NarrowingGauge gauge(clearance, 0.05);
-    const Narrowing narrowing = gauge.measure({{99, 21}, {100, 21}, clearance.at({99, 21})},
+    const Narrowing narrowing = gauge.measure({{99, 21}, {100, 21}, clearance.at({99, 21}), 40},
                                               {halves, std::vector<std::uint32_t>{0, 1, 2}});
     EXPECT_LT(door_log_odds(narrowing), 0.0);
+    for (const auto& side : narrowing.opening.widening_m) {
+        for (const double beyond_jamb : side) EXPECT_LT(beyond_jamb, 0.01) << "the walls go on";
+    }
+}
+
+TEST(Opening, TheMouthOfAnAlcoveWidensOnOneSideOnly) {
+    // An alcove 2 m wide, open over its whole width to a corridor that runs past it.
+    Raster<std::uint8_t> open({0, 0}, 200, 100);
+    for (std::int32_t y = 5; y < 40; ++y) {
+        for (std::int32_t x = 5; x < 195; ++x) open.at({x, y}) = 1;
+    }
+    for (std::int32_t y = 40; y < 90; ++y) {
+        for (std::int32_t x = 80; x < 120; ++x) open.at({x, y}) = 1;
+    }
+    const Raster<float> clearance = clearance_m(open, 0.05);
+    const Opening mouth =
+        measure_opening(clearance, 0.05, {{99, 41}, {99, 40}, clearance.at({99, 41})});
+    ASSERT_TRUE(mouth.has_jambs);
+    EXPECT_GT(mouth.widening_m[0][0], 1.0) << "the corridor, beyond both jambs";
+    EXPECT_LT(mouth.widening_m[1][1], 0.1) << "the alcove, beyond neither";
+}
+
+TEST(DoorModel, MoreWallNeverMakesADoorLessLikely) {
+    Narrowing narrowing;
+    narrowing.half_width_m = 0.5;
+    narrowing.narrower = {{0.8, 1.0, 1.0}, {6.0, 10.0}, 4.0};
+    narrowing.wider = {{0.8, 1.2, 1.5}, {8.0, 14.0}, 5.0};
+    narrowing.border_ratio = 1.0;
+    narrowing.opening.has_jambs = true;
+    narrowing.opening.width_m = 1.0;
+    double before = -100.0;
+    for (const double wall : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
+        narrowing.opening.thin_wall_m = {wall, wall};
+        narrowing.opening.flush_wall_m = {wall, wall};
+        EXPECT_GE(door_log_odds(narrowing), before);
+        before = door_log_odds(narrowing);
+    }
+    for (const double beyond : {0.0, 0.5, 1.0, 1.5}) {
+        narrowing.opening.widening_m = {{{beyond, beyond}, {beyond, beyond}}};
+        EXPECT_GE(door_log_odds(narrowing), before);
+        before = door_log_odds(narrowing);
+    }
+    EXPECT_GT(before, 0.0);
 }
 
 TEST(Fuse, KeepsTheCutInTheDoorwayAndNoOther) {
