@@ -20,6 +20,9 @@ using Lengths = Eigen::Matrix<double, 1, kBlock>;
 
 /// Rows of all vectors that stay in the cache, and that are one thread's at a time.
 constexpr Index kBandRows = 1024;
+/// Shorter vectors are one thread's work: their bands take less time than threads take to meet,
+/// and on a busy machine each meeting may cost a time slice.
+constexpr Index kMinSharedRows = 65536;
 /// Vectors between two looks at the Ritz values.
 constexpr Index kCheckEvery = 8;
 /// Vectors of the basis, beside 5/4 of the pairs: more take longer to reorthogonalise, fewer
@@ -41,7 +44,7 @@ public:
         : factor_(factor),
           max_residual_(max_residual),
           random_(random),
-          executor_(executor),
+          executor_(factor.order().size() < kMinSharedRows ? Executor{1} : executor),
           num_missing_(num_missing),
           num_known_(static_cast<Index>(known.size() / factor.order().size())) {
         const Index size = static_cast<Index>(factor.order().size());
@@ -220,7 +223,7 @@ private:
     const ShiftedFactor& factor_;
     double max_residual_;
     Random& random_;
-    const Executor& executor_;
+    Executor executor_;
     Index num_missing_;
     Index num_known_;
     /// Vectors known, and those with what is found; with the basis too. Then comes the next block.

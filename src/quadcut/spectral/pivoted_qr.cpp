@@ -15,7 +15,7 @@ using Eigen::Index;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowVector = Eigen::RowVectorXd;
 
-constexpr std::size_t kSamplesPerChunk = 1024;
+constexpr std::size_t kSamplesPerChunk = 16384;
 /// Share of the longest sample's squared length: what is left below it is rounding error.
 constexpr double kRankTolerance = 1e-12;
 
