@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "apps/option_help.hpp"
+#include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut {
@@ -50,7 +51,7 @@ bool is_value(const CommandForm& form, const std::string& word) {
         known.push_back(flag.name);
         if (!flag.short_name.empty()) known.push_back(flag.short_name);
     }
-    const std::string_view nearest = nearest_word(name, known);
+    const std::string_view nearest = io::nearest_word(name, known);
     throw InputError("unknown option '" + name + "'" +
                      (nearest.empty() ? "; 'quadcut " + form.name + " --help' lists the options"
                                       : ": did you mean '" + std::string(nearest) + "'?"));
@@ -186,7 +187,7 @@ void set_fields(const Arguments& arguments, const std::vector<OptionField>& fiel
         if (std::find(done.begin(), done.end(), name) != done.end()) {
             throw InputError("option " + name + ": given twice");
         }
-        set_option(fields, name, value);
+        io::set_option(fields, name, value);
         done.push_back(name);
     };
     for (const auto& [flag, value] : arguments.flags) {

@@ -69,7 +69,7 @@ inline constexpr std::string_view kSetFlag = "--set";
                            std::string_view value);
 
 /// Sets the fields whose flags, or whose names after --set, are among the arguments. Throws
-/// InputError as set_option does, for `--set` without `=`, and for a field that is set twice.
+/// InputError as io::set_option does, for `--set` without `=`, and for a field that is set twice.
 void set_fields(const Arguments& arguments, const std::vector<OptionField>& fields);
 
 /// One line: `quadcut segment MAP|LOG -o DIR [options]`.

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/base/option_field.hpp"
 
 namespace quadcut {
 namespace {
@@ -47,7 +47,7 @@ Command find_command(std::string_view name) {
         kPlannedCommands.end()) {
         throw InputError("'" + std::string(name) + "': not in this version of quadcut");
     }
-    const std::string_view nearest = nearest_word(name, known);
+    const std::string_view nearest = io::nearest_word(name, known);
     throw InputError("unknown command '" + std::string(name) + "'" +
                      (nearest.empty() ? "; 'quadcut help' lists the commands"
                                       : ": did you mean '" + std::string(nearest) + "'?"));

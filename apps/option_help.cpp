@@ -6,6 +6,8 @@
 #include <charconv>
 #include <variant>
 
+#include "io/option_text.hpp"
+
 namespace quadcut {
 namespace {
 
@@ -35,7 +37,7 @@ std::string range_of(const OptionField& field) {
 }
 
 std::string facts_of(const OptionField& field) {
-    return range_of(field) + ", default " + option_text(field);
+    return range_of(field) + ", default " + io::option_text(field);
 }
 
 }  // namespace quadcut

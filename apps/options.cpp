@@ -8,6 +8,7 @@
 
 #include "apps/command.hpp"
 #include "apps/option_help.hpp"
+#include "io/option_text.hpp"
 #include "quadcut/base/option_field.hpp"
 
 namespace quadcut {
@@ -45,7 +46,8 @@ std::string as_markdown(const std::vector<OptionField>& fields, const CommandFor
         "| option | command line | default | range | meaning |\n|---|---|---|---|---|\n";
     for (const OptionField& field : fields) {
         page += "| `" + std::string(field.name) + "` | `" + usage_of(field, form) + "` | " +
-                option_text(field) + " | " + range_of(field) + " | " + meaning_of(field) + " |\n";
+                io::option_text(field) + " | " + range_of(field) + " | " + meaning_of(field) +
+                " |\n";
     }
     return page;
 }

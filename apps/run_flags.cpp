@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "io/option_text.hpp"
 #include "quadcut/base/option_field.hpp"
 
 namespace quadcut {
@@ -34,7 +35,7 @@ std::optional<double> resolution_of(const Arguments& arguments) {
     const std::optional<std::string> text = arguments.value("--resolution");
     if (!text) return std::nullopt;
     double resolution_m = 0.0;
-    set_option(resolution_fields(resolution_m), "resolution", *text);
+    io::set_option(resolution_fields(resolution_m), "resolution", *text);
     return resolution_m;
 }
 

@@ -17,7 +17,7 @@ namespace quadcut {
 [[nodiscard]] Flag json_flag();
 [[nodiscard]] Flag quiet_flag();
 
-/// Metres a cell, when given. Throws InputError as set_option does.
+/// Metres a cell, when given. Throws InputError as io::set_option does.
 [[nodiscard]] std::optional<double> resolution_of(const Arguments& arguments);
 [[nodiscard]] std::optional<std::filesystem::path> poses_of(const Arguments& arguments);
 /// What the run is to show of its progress.

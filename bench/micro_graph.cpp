@@ -198,9 +198,8 @@ Json measure_line_of_sight(const LeafTable& table, const std::vector<LeafId>& no
     json["bits_ns"] = nanoseconds(by_bits);
     json["bits_between_the_leaves_ns"] = nanoseconds(by_bits_between);
     json["bits_build_ms"] = median_cpu_ms([&] {
-        (void)BlockedCells(table, low, {low.x + reach, low.y + reach}).bytes();
+        (void)BlockedCells(table, low, {low.x + reach, low.y + reach});
     });
-    json["bits_bytes"] = blocked.bytes();
     return json;
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "quadcut/base/error.hpp"
@@ -28,30 +27,17 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
     return hash;
 }
 
-// The tiles that hold something known; nothing when none does.
-struct TileRange {
-    Cell low;
-    Cell high;
-
-    [[nodiscard]] std::int64_t width() const { return std::int64_t{high.x} - low.x + 1; }
-    [[nodiscard]] std::int64_t height() const { return std::int64_t{high.y} - low.y + 1; }
-};
-
 bool is_unknown(const OccupancyMap& map, Cell tile) {
     return map.is_uniform_tile(tile) && map.tile(tile).values.front() == 0;
 }
 
-std::optional<TileRange> known_tiles(const OccupancyMap& map) {
-    const auto [first, last] = map.written_tiles();
-    std::optional<TileRange> known;
-    for (Cell tile = first; tile.y <= last.y; ++tile.y) {
-        for (tile.x = first.x; tile.x <= last.x; ++tile.x) {
-            if (is_unknown(map, tile)) continue;
-            if (!known) {
-                known = TileRange{tile, tile};
-            }
-            known->low = {std::min(known->low.x, tile.x), known->low.y};
-            known->high = {std::max(known->high.x, tile.x), tile.y};
+// The tiles that hold something known.
+Box known_tiles(const OccupancyMap& map) {
+    const Box written = map.written_tiles();
+    Box known;
+    for (Cell tile = written.low; tile.y <= written.high.y; ++tile.y) {
+        for (tile.x = written.low.x; tile.x <= written.high.x; ++tile.x) {
+            if (!is_unknown(map, tile)) known.include({tile, tile});
         }
     }
     return known;
@@ -109,7 +95,7 @@ private:
     std::size_t at_ = 0;
 };
 
-void write_tiles(Writer& writer, const OccupancyMap& map, const TileRange& tiles) {
+void write_tiles(Writer& writer, const OccupancyMap& map, const Box& tiles) {
     const auto for_each_tile = [&](const auto& visit) {
         for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
             for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) visit(tile);
@@ -158,8 +144,8 @@ OccupancyMap read_header(Reader& reader, const std::string& name) {
     throw InputError(name + ": expected the smallest root where it has no place yet");
 }
 
-TileRange read_range(Reader& reader, const OccupancyMap& map) {
-    TileRange tiles;
+Box read_range(Reader& reader, const OccupancyMap& map) {
+    Box tiles;
     tiles.low = {reader.integer<std::int32_t>(), reader.integer<std::int32_t>()};
     const auto width = reader.integer<std::uint32_t>();
     const auto height = reader.integer<std::uint32_t>();
@@ -182,7 +168,7 @@ TileRange read_range(Reader& reader, const OccupancyMap& map) {
     return tiles;
 }
 
-void read_tiles(Reader& reader, OccupancyMap& map, const TileRange& range) {
+void read_tiles(Reader& reader, OccupancyMap& map, const Box& range) {
     std::vector<Cell> mixed;
     for (Cell tile = range.low; tile.y <= range.high.y; ++tile.y) {
         for (tile.x = range.low.x; tile.x <= range.high.x; ++tile.x) {
@@ -222,8 +208,7 @@ std::vector<std::byte> encode_map(const OccupancyMap& map) {
     writer.integer(map.root().lower_left.x);
     writer.integer(map.root().lower_left.y);
     writer.integer(std::uint32_t{map.root().level});
-    const std::optional<TileRange> tiles = known_tiles(map);
-    const TileRange range = tiles.value_or(TileRange{{0, 0}, {-1, -1}});
+    const Box range = known_tiles(map);
     writer.integer(range.low.x);
     writer.integer(range.low.y);
     writer.integer(static_cast<std::uint32_t>(range.width()));
@@ -246,15 +231,13 @@ OccupancyMap decode_map(std::span<const std::byte> bytes, const std::string& nam
     }
     Reader reader(bytes, name);
     OccupancyMap map = read_header(reader, name);
-    const TileRange range = read_range(reader, map);
-    if (range.width() > 0 && range.height() > 0) {
-        map.reserve({range.low.x * kTileSide, range.low.y * kTileSide},
-                    {range.high.x * kTileSide, range.high.y * kTileSide});
+    const Box range = read_range(reader, map);
+    if (!range.is_empty()) {
+        map.reserve(first_cell_of(range.low), first_cell_of(range.high));
     }
     read_tiles(reader, map, range);
     map.commit();
-    const std::optional<TileRange> known = known_tiles(map);
-    if (range.width() > 0 && !(known && known->low == range.low && known->high == range.high)) {
+    if (known_tiles(map) != range) {
         throw InputError(name + ": the outer tiles are unknown: expected a rectangle without them");
     }
     return map;

@@ -7,6 +7,7 @@
 
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
+#include "io/option_text.hpp"
 
 namespace quadcut::io {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "quadcut/graph/border_edges.hpp"
 #include "quadcut/graph/visibility.hpp"
+#include "quadcut/map/morton.hpp"
 #include "tests/unit/graph/small_map.hpp"
 
 namespace quadcut {
@@ -157,11 +158,11 @@ TEST(EdgeProperties, BorderEdgesJoinTheSameComponentsAsTheCells) {
                 cells.push_back({{x, y}, 0, leaf.state});
             }
         }
-        // Depth-first order of the cells is the order of their tiles of 8 x 8.
-        std::stable_sort(cells.begin(), cells.end(), [](const Leaf& a, const Leaf& b) {
-            return std::pair(a.lower_left.y >> 3, a.lower_left.x >> 3) <
-                   std::pair(b.lower_left.y >> 3, b.lower_left.x >> 3);
-        });
+        const auto code = [&](const Leaf& leaf) {
+            return morton_code(table.root().position(0, leaf.lower_left));
+        };
+        std::sort(cells.begin(), cells.end(),
+                  [&](const Leaf& a, const Leaf& b) { return code(a) < code(b); });
         const LeafTable fine(cells, table.root());
         const auto num_components = [](const LeafTable& leaves) {
             const std::vector<LeafId> nodes = test::free_leaves(leaves);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -28,6 +29,26 @@ struct Cell {
     std::int32_t x = 0;
     std::int32_t y = 0;
     friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// The cells low .. high, both corners included; empty when one side has none.
+struct Box {
+    Cell low{0, 0};
+    Cell high{-1, -1};
+
+    [[nodiscard]] bool is_empty() const { return low.x > high.x || low.y > high.y; }
+    [[nodiscard]] std::int32_t width() const { return high.x - low.x + 1; }
+    [[nodiscard]] std::int32_t height() const { return high.y - low.y + 1; }
+    [[nodiscard]] bool contains(Cell cell) const {
+        return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
+    }
+    /// Grows to the smallest box that holds `other` too, which is not empty.
+    void include(const Box& other) {
+        if (is_empty()) *this = other;
+        low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+        high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    }
+    friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// `point_in_b` expressed in frame a.

@@ -12,8 +12,6 @@ namespace quadcut {
 
 /// Index of a leaf in the list that a map returned.
 enum class LeafId : std::uint32_t {};
-/// Index of a piece of an over-cut, or of a submap that is being fused.
-enum class PieceId : std::uint32_t {};
 /// A room's label in a result, 1, 2, ...; 0 = no room.
 enum class RoomId : std::uint32_t {};
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -31,17 +30,5 @@ struct OptionField {
     std::string_view source;
     std::variant<double*, std::size_t*, Choice> value;
 };
-
-/// Sets the option called `name` from text. Throws InputError that names the option, what was
-/// expected, and for an unknown name the nearest known one.
-void set_option(const std::vector<OptionField>& fields, std::string_view name,
-                std::string_view text);
-
-/// The value as text that set_option() reads back.
-[[nodiscard]] std::string option_text(const OptionField& field);
-
-/// The word of `known` with the fewest edits to `word`; empty when all are far from it.
-[[nodiscard]] std::string_view nearest_word(std::string_view word,
-                                            const std::vector<std::string_view>& known);
 
 }  // namespace quadcut

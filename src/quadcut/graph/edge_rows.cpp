@@ -3,7 +3,6 @@
 #include "quadcut/graph/edge_rows.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace quadcut {
 namespace {
@@ -27,10 +26,9 @@ std::vector<WeightedEdge> collect_edge_rows(
         }
     });
     std::vector<WeightedEdge> joined;
-    joined.reserve(std::accumulate(chunks.begin(), chunks.end(), std::size_t{0},
-                                   [](std::size_t sum, const std::vector<WeightedEdge>& chunk) {
-                                       return sum + chunk.size();
-                                   }));
+    std::size_t num_edges = 0;
+    for (const std::vector<WeightedEdge>& chunk : chunks) num_edges += chunk.size();
+    joined.reserve(num_edges);
     for (std::vector<WeightedEdge>& chunk : chunks) {
         joined.insert(joined.end(), chunk.begin(), chunk.end());
         std::vector<WeightedEdge>().swap(chunk);

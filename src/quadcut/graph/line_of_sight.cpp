@@ -187,8 +187,4 @@ bool BlockedCells::sees(HalfCell a, HalfCell b, std::int64_t clear_a, std::int64
     return Walk(steep ? columns_ : rows_, a, b).is_clear(a.x + clear_a, b.x - clear_b);
 }
 
-std::size_t BlockedCells::bytes() const {
-    return sizeof(*this) + (rows_.words.capacity() + columns_.words.capacity()) * 8;
-}
-
 }  // namespace quadcut

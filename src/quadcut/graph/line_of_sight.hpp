@@ -52,9 +52,6 @@ public:
     [[nodiscard]] bool sees(HalfCell a, HalfCell b, std::int64_t clear_a = 0,
                             std::int64_t clear_b = 0) const;
 
-    /// Bytes held.
-    [[nodiscard]] std::size_t bytes() const;
-
 private:
     /// One row of the rectangle after the other, a bit a cell; with a border of one blocked cell,
     /// because a segment on the rim looks at the cells beyond it.

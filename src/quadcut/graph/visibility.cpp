@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 
 #include "quadcut/graph/edge_rows.hpp"
@@ -14,21 +13,9 @@
 namespace quadcut {
 namespace {
 
-struct Rectangle {
-    Cell low;
-    Cell high;
-};
-
-Rectangle bounding_box(const LeafTable& table, std::span<const LeafId> nodes) {
-    constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-    Rectangle box{{kFar, kFar}, {-kFar, -kFar}};
-    for (const LeafId id : nodes) {
-        const Leaf& leaf = table.leaf(id);
-        const std::int32_t reach = leaf.side_cells() - 1;
-        box.low = {std::min(box.low.x, leaf.lower_left.x), std::min(box.low.y, leaf.lower_left.y)};
-        box.high = {std::max(box.high.x, leaf.lower_left.x + reach),
-                    std::max(box.high.y, leaf.lower_left.y + reach)};
-    }
+Box bounding_box(const LeafTable& table, std::span<const LeafId> nodes) {
+    Box box;
+    for (const LeafId id : nodes) box.include(table.leaf(id).box());
     return box;
 }
 
@@ -114,7 +101,7 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
                                       const Executor& executor) {
     const NodeIndex index(table, nodes);
     if (nodes.empty()) return {};
-    const Rectangle box = bounding_box(table, nodes);
+    const Box box = bounding_box(table, nodes);
     const BlockedCells blocked(table, box.low, box.high);
     const SightRow row(table, index, blocked, resolution_m);
 

@@ -7,89 +7,65 @@
 namespace quadcut {
 namespace {
 
-// Free cells first_x .. end_x - 1 of one row.
-struct Run {
-    std::int32_t first_x = 0;
-    std::int32_t end_x = 0;
-    std::uint32_t parent = 0;  // of the union-find, an index in the list of runs
-};
-
-class RunSet {
+// Union-find of labels from 1 on. A label's parent is itself or smaller, so that the top of a set
+// is the label that came first.
+class LabelSets {
 public:
-    // Appends the runs of a row and joins them with those of the row before.
-    void add_row(const CellState* row, std::int32_t width) {
-        const std::size_t previous_first = first_of_row_;
-        const std::size_t previous_end = runs_.size();
-        first_of_row_ = previous_end;
-        std::size_t above = previous_first;
-        for (std::int32_t x = 0; x < width; ++x) {
-            if (row[x] != CellState::free) continue;
-            const auto id = static_cast<std::uint32_t>(runs_.size());
-            const std::int32_t first = x;
-            while (x < width && row[x] == CellState::free) ++x;
-            runs_.push_back({first, x, id});
-            while (above < previous_end && runs_[above].end_x <= first) ++above;
-            // The last run that touches this one may touch the next one, too.
-            for (std::size_t i = above; i < previous_end && runs_[i].first_x < x; ++i) {
-                join(static_cast<std::uint32_t>(i), id);
-            }
-        }
+    std::uint32_t add() {
+        parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
+        return parents_.back();
     }
-
-    [[nodiscard]] std::uint32_t find_top(std::uint32_t run) {
-        while (runs_[run].parent != run) {
-            runs_[run].parent = runs_[runs_[run].parent].parent;
-            run = runs_[run].parent;
-        }
-        return run;
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = top_of(a);
+        b = top_of(b);
+        parents_[std::max(a, b)] = std::min(a, b);
     }
-
-    [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+    // For each label, the number of its set from 1 on.
+    [[nodiscard]] std::vector<std::uint32_t> numbers() const {
+        std::vector<std::uint32_t> numbers(parents_.size(), 0);
+        std::uint32_t num_sets = 0;
+        for (std::uint32_t label = 1; label < numbers.size(); ++label) {
+            const std::uint32_t parent = parents_[label];
+            numbers[label] = parent == label ? ++num_sets : numbers[parent];
+        }
+        return numbers;
+    }
 
 private:
-    // The earlier top stays, so that it is the component's first run.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find_top(a);
-        b = find_top(b);
-        runs_[std::max(a, b)].parent = std::min(a, b);
+    std::uint32_t top_of(std::uint32_t label) {
+        while (parents_[label] != label) label = parents_[label] = parents_[parents_[label]];
+        return label;
     }
 
-    std::vector<Run> runs_;
-    std::size_t first_of_row_ = 0;
+    std::vector<std::uint32_t> parents_{0};
 };
 
 }  // namespace
 
 FreeComponents find_free_components(const Raster<CellState>& states) {
     FreeComponents free{{states.origin, states.width, states.height}, {}};
-    RunSet set;
-    std::vector<std::size_t> first_of_row;
+    std::uint32_t* label = free.labels.values.data();
+    LabelSets sets;
     for (std::int32_t y = 0; y < states.height; ++y) {
-        first_of_row.push_back(set.runs().size());
-        set.add_row(states.values.data() + std::ptrdiff_t{y} * states.width, states.width);
+        for (std::int32_t x = 0; x < states.width; ++x, ++label) {
+            if (states.values[label - free.labels.values.data()] != CellState::free) continue;
+            const std::uint32_t left = x > 0 ? label[-1] : 0;
+            const std::uint32_t below = y > 0 ? label[-states.width] : 0;
+            *label = left != 0 ? left : below != 0 ? below : sets.add();
+            if (below != 0 && below != *label) sets.join(below, *label);
+        }
     }
-    first_of_row.push_back(set.runs().size());
-
-    std::vector<std::uint32_t> label(set.runs().size(), 0);
+    const std::vector<std::uint32_t> numbers = sets.numbers();
+    free.components.resize(*std::max_element(numbers.begin(), numbers.end()));
+    label = free.labels.values.data();
     for (std::int32_t y = 0; y < states.height; ++y) {
         const bool is_edge_row = y == 0 || y == states.height - 1;
-        const auto row = free.labels.values.begin() + std::ptrdiff_t{y} * states.width;
-        for (std::size_t i = first_of_row[static_cast<std::size_t>(y)];
-             i < first_of_row[static_cast<std::size_t>(y) + 1]; ++i) {
-            const std::uint32_t top = set.find_top(static_cast<std::uint32_t>(i));
-            if (label[top] == 0) {
-                free.components.emplace_back();
-                label[top] = static_cast<std::uint32_t>(free.components.size());
-            }
-            const Run& run = set.runs()[i];
-            std::fill(row + run.first_x, row + run.end_x, label[top]);
-            FreeComponents::Component& component = free.components[label[top] - 1];
-            const auto length = static_cast<std::size_t>(run.end_x - run.first_x);
-            component.num_cells += length;
-            const bool first = run.first_x == 0;
-            const bool last = run.end_x == states.width && (states.width > 1 || !first);
-            component.num_border_cells +=
-                is_edge_row ? length : std::size_t{first} + std::size_t{last};
+        for (std::int32_t x = 0; x < states.width; ++x, ++label) {
+            *label = numbers[*label];
+            if (*label == 0) continue;
+            FreeComponents::Component& component = free.components[*label - 1];
+            ++component.num_cells;
+            if (is_edge_row || x == 0 || x == states.width - 1) ++component.num_border_cells;
         }
     }
     return free;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/line_walk.hpp"
@@ -48,11 +47,9 @@ BeamLimits limits_in_cells(const OccupancyMap& map, const IntegrateOptions& opti
 std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from, const Point& to,
                                       int sure) {
     std::optional<double> wall;
-    const auto at = [&](double t) {
-        return Point{from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t};
-    };
+    const Point way{to.x - from.x, to.y - from.y};
     const auto search = [&](double begin, double end) {
-        walk_line(at(begin), at(end), [&](Cell cell, double t) {
+        walk_line(along(from, way, begin), along(from, way, end), [&](Cell cell, double t) {
             if (map.log_odds(cell) >= sure) wall = begin + t * (end - begin);
             return !wall;
         });
@@ -83,25 +80,13 @@ void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Poin
     for (Beam& beam : beams) {
         const double last = beam.range - tolerance;
         if (last <= first) continue;
-        const auto at = [&](double distance) {
-            return Point{sensor.x + beam.direction.x * distance,
-                         sensor.y + beam.direction.y * distance};
-        };
-        if (const auto t = first_sure_wall(map, at(first), at(last), options.sure)) {
+        if (const auto t = first_sure_wall(map, along(sensor, beam.direction, first),
+                                           along(sensor, beam.direction, last), options.sure)) {
             const double distance = first + *t * (last - first);
             beam.reach = std::clamp(distance - options.margin_cells, 0.0, beam.reach);
             beam.hits = false;
         }
     }
-}
-
-// The cells of a tile whose walls the map is sure of.
-std::uint64_t sure_walls(const Tile& tile, int sure) {
-    std::uint64_t rows = 0;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        rows |= std::uint64_t{tile.values[i] >= sure} << i;
-    }
-    return rows;
 }
 
 bool is_near(Cell tile, const Point& sensor, double range) {
@@ -121,15 +106,13 @@ Tile with_evidence(const Tile& tile, const TileEvidence& evidence,
     return sum;
 }
 
-// The lower left cells of the lowest and the highest tile. @pre there is one.
-std::pair<Cell, Cell> corner_cells(std::span<const TileEvidence> evidence) {
-    Cell low = evidence.front().tile;
-    Cell high = low;
+// Around the lower left cells of the tiles.
+Box box_of(std::span<const TileEvidence> evidence) {
+    Box box;
     for (const TileEvidence& one : evidence) {
-        low = {std::min(low.x, one.tile.x), std::min(low.y, one.tile.y)};
-        high = {std::max(high.x, one.tile.x), std::max(high.y, one.tile.y)};
+        box.include({first_cell_of(one.tile), first_cell_of(one.tile)});
     }
-    return {{low.x * kTileSide, low.y * kTileSide}, {high.x * kTileSide, high.y * kTileSide}};
+    return box;
 }
 
 }  // namespace
@@ -160,7 +143,8 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
             const std::uint64_t hit = cells.hit.tile_rows(x, y);
             std::uint64_t miss = cells.free.tile_rows(x, y) & ~hit;
             if (miss != 0 && !map.is_uniform_tile(tile) && !is_near(tile, sensor, trusted_range)) {
-                miss &= ~sure_walls(map.tile(tile), options.sure);
+                miss &= ~rows_where(map.tile(tile),
+                                    [&](int log_odds) { return log_odds >= options.sure; });
             }
             if ((miss | hit) != 0) {
                 evidence.push_back({tile, miss, hit});
@@ -173,9 +157,9 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
 void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
                   const IntegrateOptions& options) {
     if (evidence.empty()) return;
-    const auto [low, high] = corner_cells(evidence);
     // Before the first write, so that a scan that passes the limits changes nothing.
-    map.reserve(low, high);
+    const Box box = box_of(evidence);
+    map.reserve(box.low, box.high);
     for (const TileEvidence& one : evidence) {
         const Tile& tile = map.tile(one.tile);
         // Most of what a scan sees is a block that is as free as can be.
@@ -190,10 +174,8 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
     const std::vector<TileEvidence> evidence = evidence_of(map, scan, options);
     add_evidence(map, evidence, options);
     MapUpdate update = map.commit();
-    if (!evidence.empty()) {
-        const auto [low, high] = corner_cells(evidence);
-        update.covering = map.block_around(low, high);
-    }
+    const Box box = box_of(evidence);
+    if (!box.is_empty()) update.covering = map.block_around(box.low, box.high);
     return update;
 }
 

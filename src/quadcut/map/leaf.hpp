@@ -19,6 +19,10 @@ struct Leaf {
     CellState state = CellState::unknown;
 
     [[nodiscard]] std::int32_t side_cells() const { return std::int32_t{1} << level; }
+    /// Its cells.
+    [[nodiscard]] Box box() const {
+        return {lower_left, {lower_left.x + (side_cells() - 1), lower_left.y + (side_cells() - 1)}};
+    }
     friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 

@@ -12,6 +12,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
 #include "quadcut/map/leaf.hpp"
+#include "quadcut/map/raster.hpp"
 #include "quadcut/map/root.hpp"
 #include "quadcut/map/tile.hpp"
 
@@ -30,7 +31,8 @@ class LeafTable {
 public:
     /// `leaves` in depth-first (Z) order as OccupancyMap::leaves() gives them, or a part of that
     /// list in the same order. O(leaves + tiles of their bounding box).
-    /// Throws std::logic_error when leaves overlap, are not aligned, or are out of order.
+    /// Throws std::logic_error when a leaf is no block of the root, overlaps another or is out of
+    /// order.
     LeafTable(std::vector<Leaf> leaves, const Root& root);
 
     [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
@@ -39,13 +41,13 @@ public:
 
     /// The free or occupied leaf that holds the cell, or nothing. Any cell may be asked. O(1).
     [[nodiscard]] std::optional<LeafId> find(Cell cell) const {
-        const std::uint32_t entry = entry_at({cell.x >> kTileBits, cell.y >> kTileBits});
+        const std::uint32_t entry = entry_at(tile_of(cell));
         if ((entry & kMixed) == 0) {
             return LeafId{entry};
         }
         if (entry == kNothing) return std::nullopt;
         const Tile& tile = tiles_[entry & ~kMixed];
-        const std::uint8_t offset = tile.offsets[cell_in_tile(cell)];
+        const std::uint8_t offset = tile.offsets[place_in_tile(cell)];
         if (offset == kNoLeaf) return std::nullopt;
         return LeafId{tile.first_leaf + offset};
     }
@@ -56,13 +58,14 @@ public:
     template <typename Visitor>
     void for_each_leaf_in(Cell low, Cell high, Visitor&& visit) const {
         if (low.x > high.x || low.y > high.y) return;
-        const Cell first{std::max(low.x >> kTileBits, low_tile_.x),
-                         std::max(low.y >> kTileBits, low_tile_.y)};
-        const Cell last{std::min(high.x >> kTileBits, low_tile_.x + width_ - 1),
-                        std::min(high.y >> kTileBits, low_tile_.y + height_ - 1)};
+        const Box tiles = directory_.box();
+        const Cell first{std::max(tile_of(low).x, tiles.low.x),
+                         std::max(tile_of(low).y, tiles.low.y)};
+        const Cell last{std::min(tile_of(high).x, tiles.high.x),
+                        std::min(tile_of(high).y, tiles.high.y)};
         for (std::int32_t y = first.y; y <= last.y; ++y) {
             for (std::int32_t x = first.x; x <= last.x; ++x) {
-                const std::uint32_t entry = entry_at({x, y});
+                const std::uint32_t entry = directory_.at({x, y});
                 if ((entry & kMixed) == 0) {
                     const Leaf& large = leaves_[entry];
                     // A leaf of many tiles is visited at the first of them in the rectangle only.
@@ -77,9 +80,6 @@ public:
         }
     }
 
-    /// Bytes held, the list of leaves included.
-    [[nodiscard]] std::size_t bytes() const;
-
 private:
     static constexpr std::uint32_t kMixed = 0x8000'0000U;
     static constexpr std::uint32_t kNothing = 0xFFFF'FFFFU;
@@ -92,19 +92,8 @@ private:
         std::array<std::uint8_t, kTileCells> offsets{};
     };
 
-    [[nodiscard]] static std::size_t cell_in_tile(Cell cell) {
-        return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +
-                                        (cell.x & (kTileSide - 1)));
-    }
-
     [[nodiscard]] std::uint32_t entry_at(Cell tile) const {
-        // One comparison a side: what is left of the rectangle wraps around to a large number.
-        const auto x = static_cast<std::uint32_t>(tile.x - low_tile_.x);
-        const auto y = static_cast<std::uint32_t>(tile.y - low_tile_.y);
-        if (x >= static_cast<std::uint32_t>(width_) || y >= static_cast<std::uint32_t>(height_)) {
-            return kNothing;
-        }
-        return directory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + x];
+        return directory_.contains(tile) ? directory_.at(tile) : kNothing;
     }
 
     template <typename Visitor>
@@ -119,16 +108,11 @@ private:
         }
     }
 
-    void frame_directory();
-    void add_large_leaf(std::uint32_t id);
     void add_small_leaf(std::uint32_t id);
 
     Root root_;
     std::vector<Leaf> leaves_;
-    Cell low_tile_;
-    std::int32_t width_ = 0;
-    std::int32_t height_ = 0;
-    std::vector<std::uint32_t> directory_;
+    Raster<std::uint32_t> directory_;
     std::vector<Tile> tiles_;
 };
 

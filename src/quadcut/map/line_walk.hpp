@@ -16,6 +16,11 @@ namespace quadcut {
             static_cast<std::int32_t>(std::floor(point.y))};
 }
 
+/// The point `length` times `direction` away.
+[[nodiscard]] inline Point along(const Point& from, const Point& direction, double length) {
+    return {from.x + direction.x * length, from.y + direction.y * length};
+}
+
 /// Calls `visit(Cell, double t)` for the cells that the straight line crosses, in order, where t in
 /// 0 .. 1 says how far along the line it enters the cell. Ends early when `visit` returns false.
 /// Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", 1987. O(cells crossed).

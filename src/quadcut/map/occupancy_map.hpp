@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -44,8 +43,8 @@ struct MapUpdate {
 /// Writes are batched: look-ups see a write at once; the tree (leaves, counts) is that of the last
 /// commit(), and asking for it while writes are pending throws std::logic_error.
 ///
-/// Limits: |cell| < 2^28 a side, and 2^25 tiles of bounding box (2.3 km x 2.3 km at 5 cm). A write
-/// beyond them throws InputError and changes nothing.
+/// Limits: -2^28 <= cell < 2^28 a side, and 2^25 tiles of bounding box (2.3 km x 2.3 km at 5 cm). A
+/// write beyond them throws InputError and changes nothing.
 class OccupancyMap {
 public:
     /// An empty map. Its root is placed by the first write.
@@ -68,8 +67,6 @@ public:
     [[nodiscard]] const Pose& world_from_map() const { return world_from_map_; }
     /// The cell that holds a point of the world, metres. Throws InputError beyond the limits.
     [[nodiscard]] Cell cell_at(const Point& world) const;
-    /// The centre of a cell in the world, metres.
-    [[nodiscard]] Point center_of(Cell cell) const;
 
     /// O(1) for any cell; unknown outside.
     [[nodiscard]] CellState state(Cell cell) const { return state_of(store_.log_odds(cell)); }
@@ -84,9 +81,8 @@ public:
     [[nodiscard]] const Root& root() const { return root_; }
     /// Whether the root has its place; false until the first write.
     [[nodiscard]] bool is_placed() const { return is_placed_; }
-    /// The lowest and the highest tile of a rectangle that holds all that is known; an empty one is
-    /// (0, 0), (-1, -1).
-    [[nodiscard]] std::pair<Cell, Cell> written_tiles() const;
+    /// A rectangle of tiles that holds all that is known.
+    [[nodiscard]] Box written_tiles() const { return store_.directory().box(); }
     /// Leaves of the root, unknown ones included.
     [[nodiscard]] std::size_t num_leaves() const;
     /// Leaves and inner nodes: every inner node has four children.
@@ -123,23 +119,13 @@ private:
         TileStates before;
     };
 
-    [[nodiscard]] Cell root_tile() const {
-        return {root_.lower_left.x >> kTileBits, root_.lower_left.y >> kTileBits};
-    }
     /// Position in the pyramid's layer 0.
     [[nodiscard]] Cell tile_position(Cell tile) const {
-        return {tile.x - root_tile().x, tile.y - root_tile().y};
+        return root_.position(kTileBits, first_cell_of(tile));
     }
     void require_committed() const;
-    void grow(Cell low_tile, Cell high_tile);
+    void grow(const Box& tiles);
     void write(Cell cell, int log_odds);
-    void remember(Cell tile);
-    void fill_from(const Raster<CellState>& states, Cell low, Cell high);
-    void append_leaves(int layer, Cell position, std::vector<Leaf>& leaves) const;
-    void append_tile_leaves(Cell position, std::vector<Leaf>& leaves) const;
-    [[nodiscard]] std::size_t count_leaves(int layer, Cell position) const;
-    [[nodiscard]] std::size_t count_nodes_above(std::vector<std::uint64_t> tile_codes) const;
-    [[nodiscard]] Root block_of(std::uint64_t first_tile_code, std::uint64_t last_tile_code) const;
 
     double resolution_m_;
     Pose world_from_map_;

@@ -26,10 +26,20 @@ struct Raster {
           height(raster_height),
           values(static_cast<std::size_t>(raster_width) * static_cast<std::size_t>(raster_height),
                  fill) {}
+    explicit Raster(const Box& box, T fill = T{})
+        : Raster(box.low, box.width(), box.height(), fill) {}
 
+    [[nodiscard]] Box box() const {
+        return {origin, {origin.x + width - 1, origin.y + height - 1}};
+    }
+    /// Any cell may be asked.
     [[nodiscard]] bool contains(Cell cell) const {
-        return cell.x >= origin.x && cell.y >= origin.y && cell.x < origin.x + width &&
-               cell.y < origin.y + height;
+        // One comparison a side: what is left of the rectangle wraps around to a large number.
+        const auto distance = [](std::int32_t at, std::int32_t from) {
+            return static_cast<std::uint32_t>(at) - static_cast<std::uint32_t>(from);
+        };
+        return distance(cell.x, origin.x) < static_cast<std::uint32_t>(width) &&
+               distance(cell.y, origin.y) < static_cast<std::uint32_t>(height);
     }
     /// Position of a cell in `values`. @pre contains(cell).
     [[nodiscard]] std::size_t offset(Cell cell) const {

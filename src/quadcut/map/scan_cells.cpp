@@ -12,10 +12,6 @@
 namespace quadcut {
 namespace {
 
-Point along(const Point& from, const Point& direction, double length) {
-    return {from.x + direction.x * length, from.y + direction.y * length};
-}
-
 // Flips the first cell right of the edge in each row whose centre line it crosses.
 void flip_edge(BitRaster& cells, Point a, Point b) {
     if (a.y > b.y) std::swap(a, b);

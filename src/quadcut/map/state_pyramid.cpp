@@ -2,16 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/state_pyramid.hpp"
 
-#include <algorithm>
-
 namespace quadcut {
 
-StatePyramid::StatePyramid(int num_layers, Cell low, Cell high) {
-    layers_.reserve(static_cast<std::size_t>(num_layers));
-    for (int layer = 0; layer < num_layers; ++layer) {
-        const Cell first{low.x >> layer, low.y >> layer};
-        layers_.emplace_back(first, (high.x >> layer) - first.x + 1,
-                             (high.y >> layer) - first.y + 1, std::uint8_t{0});
+StatePyramid::StatePyramid(const Root& root, const Box& tiles) {
+    layers_.reserve(static_cast<std::size_t>(root.level - kTileBits + 1));
+    for (int level = kTileBits; level <= root.level; ++level) {
+        layers_.emplace_back(Box{root.position(level, first_cell_of(tiles.low)),
+                                 root.position(level, first_cell_of(tiles.high))});
     }
 }
 
@@ -21,14 +18,11 @@ void StatePyramid::set_tile(Cell position, const TileStates& states) {
         static_cast<std::uint8_t>(count == 0 ? static_cast<int>(states.at(0)) : count);
 }
 
-void StatePyramid::take_tiles(const StatePyramid& smaller, Cell shift) {
+void StatePyramid::take_tiles(const StatePyramid& smaller, Cell position) {
     const Raster<std::uint8_t>& from = smaller.layers_.front();
-    Raster<std::uint8_t>& to = layers_.front();
-    for (std::int32_t row = 0; row < from.height; ++row) {
-        const auto first = from.values.begin() + std::ptrdiff_t{row} * from.width;
-        const Cell target{from.origin.x + shift.x, from.origin.y + row + shift.y};
-        std::copy(first, first + from.width,
-                  to.values.begin() + static_cast<std::ptrdiff_t>(to.offset(target)));
+    for (std::size_t i = 0; i < from.values.size(); ++i) {
+        const Cell tile = from.cell(i);
+        layers_.front().at({tile.x + position.x, tile.y + position.y}) = from.values[i];
     }
 }
 
@@ -51,6 +45,14 @@ void StatePyramid::rebuild() {
             set(layer, position, from_children(layer, position));
         }
     }
+}
+
+std::size_t StatePyramid::num_leaves_in(int layer, Cell position) const {
+    std::size_t num_leaves = 0;
+    for_each_block(layer, position, [&](int block_layer, Cell block) {
+        num_leaves += block_layer > 0 ? 1 : static_cast<std::size_t>(num_leaves_in_tile(block));
+    });
+    return num_leaves;
 }
 
 std::size_t StatePyramid::bytes() const {

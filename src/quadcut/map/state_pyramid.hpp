@@ -8,6 +8,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/raster.hpp"
+#include "quadcut/map/root.hpp"
 #include "quadcut/map/tile.hpp"
 
 namespace quadcut {
@@ -15,9 +16,6 @@ namespace quadcut {
 /// The state all cells of a block share, or `mixed`. `absent`: the tree has no such node.
 enum class BlockState : std::uint8_t { unknown = 0, free = 1, occupied = 2, mixed = 3, absent = 4 };
 
-[[nodiscard]] constexpr BlockState block_state(CellState state) {
-    return static_cast<BlockState>(state);
-}
 /// @pre `state` is neither mixed nor absent.
 [[nodiscard]] constexpr CellState cell_state(BlockState state) {
     return static_cast<CellState>(state);
@@ -29,8 +27,8 @@ enum class BlockState : std::uint8_t { unknown = 0, free = 1, occupied = 2, mixe
 /// layer's own size from the root's lower left. Blocks beyond the rectangle are unknown.
 class StatePyramid {
 public:
-    /// A root of `num_layers` layers over the tiles low .. high (inclusive), all unknown.
-    StatePyramid(int num_layers, Cell low, Cell high);
+    /// All unknown. `tiles` lie inside the root.
+    StatePyramid(const Root& root, const Box& tiles);
 
     [[nodiscard]] int num_layers() const { return static_cast<int>(layers_.size()); }
 
@@ -60,14 +58,31 @@ public:
         return (layers_.front().at(position) & kMark) != 0;
     }
     void mark(Cell position) { layers_.front().at(position) |= kMark; }
-    /// Layer 0 of `smaller`, marks and all, at this one's place; its positions move by `shift`.
+    /// Layer 0 of `smaller`, marks and all, whose root lies at `position` in this one's.
     /// The layers above are not set: rebuild().
-    void take_tiles(const StatePyramid& smaller, Cell shift);
+    void take_tiles(const StatePyramid& smaller, Cell position);
 
     /// The state of a block of layer > 0 from its four children.
     [[nodiscard]] BlockState from_children(int layer, Cell position) const;
     /// Sets all layers from layer 0. O(tiles).
     void rebuild();
+
+    /// Calls `visit(layer, position)` for each block of one state in a block, and for each of its
+    /// mixed tiles, in depth-first order.
+    template <typename Visitor>
+    void for_each_block(int layer, Cell position, const Visitor& visit) const {
+        if (layer == 0 || is_uniform(at(layer, position))) {
+            visit(layer, position);
+            return;
+        }
+        for (int quadrant = 0; quadrant < 4; ++quadrant) {
+            for_each_block(layer - 1,
+                           {position.x * 2 + (quadrant & 1), position.y * 2 + (quadrant >> 1)},
+                           visit);
+        }
+    }
+    /// Leaves in a block. O(its nodes of tile size and up).
+    [[nodiscard]] std::size_t num_leaves_in(int layer, Cell position) const;
 
     [[nodiscard]] std::size_t bytes() const;
 

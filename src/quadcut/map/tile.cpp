@@ -4,6 +4,8 @@
 
 #include <bit>
 
+#include "quadcut/map/morton.hpp"
+
 namespace quadcut {
 namespace {
 
@@ -34,15 +36,9 @@ TileMask morton_from_rows(std::uint64_t rows) {
 }
 
 TileMask TileStates::of(CellState state) const {
-    switch (state) {
-        case CellState::free:
-            return free;
-        case CellState::occupied:
-            return occupied;
-        case CellState::unknown:
-            break;
-    }
-    return ~(free | occupied);
+    return state == CellState::free       ? free
+           : state == CellState::occupied ? occupied
+                                          : ~(free | occupied);
 }
 
 CellState TileStates::at(int position) const {
@@ -53,18 +49,8 @@ CellState TileStates::at(int position) const {
 }
 
 TileStates states_of(const Tile& tile) {
-    std::uint64_t free = 0;
-    std::uint64_t occupied = 0;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        free |= std::uint64_t{tile.values[i] < 0} << i;
-        occupied |= std::uint64_t{tile.values[i] > 0} << i;
-    }
-    return {morton_from_rows(free), morton_from_rows(occupied)};
-}
-
-TileStates uniform_states(CellState state) {
-    return {state == CellState::free ? kWholeTile : 0,
-            state == CellState::occupied ? kWholeTile : 0};
+    return {morton_from_rows(rows_where(tile, [](int log_odds) { return log_odds < 0; })),
+            morton_from_rows(rows_where(tile, [](int log_odds) { return log_odds > 0; }))};
 }
 
 int TileLeaves::count() const {
@@ -96,6 +82,20 @@ TileLeaves leaves_of(const TileStates& states) {
     leaves.by_level[1] = quads & ~(sixteens * 0x1111U);
     leaves.by_level[0] = ~(quads * 0xFU);
     return leaves;
+}
+
+void append_leaves(const TileLeaves& in_tile, const TileStates& states, Cell corner,
+                   std::vector<Leaf>& leaves) {
+    const auto& [cells, quads, sixteens] = in_tile.by_level;
+    for (TileMask left = cells | quads | sixteens; left != 0; left &= left - 1) {
+        const int place = std::countr_zero(left);
+        const TileMask bit = TileMask{1} << place;
+        const Cell cell = morton_position(static_cast<std::uint64_t>(place));
+        const int level = (cells & bit) != 0 ? 0 : (quads & bit) != 0 ? 1 : 2;
+        leaves.push_back({{corner.x + cell.x, corner.y + cell.y},
+                          static_cast<std::uint8_t>(level),
+                          states.at(place)});
+    }
 }
 
 }  // namespace quadcut

@@ -6,8 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/leaf.hpp"
 
 namespace quadcut {
 
@@ -15,6 +18,19 @@ namespace quadcut {
 constexpr std::int32_t kTileBits = 3;
 constexpr std::int32_t kTileSide = 1 << kTileBits;
 constexpr std::size_t kTileCells = kTileSide * kTileSide;
+
+// Tiles have addresses as cells have: tile (x, y) begins at cell (8 x, 8 y).
+[[nodiscard]] constexpr Cell tile_of(Cell cell) {
+    return {cell.x >> kTileBits, cell.y >> kTileBits};
+}
+[[nodiscard]] constexpr Cell first_cell_of(Cell tile) {
+    return {tile.x * kTileSide, tile.y * kTileSide};
+}
+/// Where a cell lies in its tile, 8 y + x.
+[[nodiscard]] constexpr std::size_t place_in_tile(Cell cell) {
+    return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +
+                                    (cell.x & (kTileSide - 1)));
+}
 
 // A cell holds quantised log-odds of being occupied. 0: never observed, and an observed cell does
 // not come back to it. Negative: free. Positive: occupied. The bounds are close to 0, so that a
@@ -28,6 +44,11 @@ constexpr int kMaxLogOdds = 11;
                           : CellState::occupied;
 }
 
+/// The log-odds of a cell that is certainly of a state.
+[[nodiscard]] constexpr std::int8_t log_odds_of(CellState state) {
+    return state == CellState::unknown ? 0 : state == CellState::free ? kMinLogOdds : kMaxLogOdds;
+}
+
 /// Log-odds plus `delta`, within bounds; a sum of 0 becomes 1 in the direction of `delta`.
 [[nodiscard]] constexpr std::int8_t bounded_sum(int log_odds, int delta) {
     const int sum = std::clamp(log_odds + delta, kMinLogOdds, kMaxLogOdds);
@@ -38,6 +59,16 @@ constexpr int kMaxLogOdds = 11;
 struct alignas(kTileCells) Tile {
     std::array<std::int8_t, kTileCells> values{};
 };
+
+/// The cells whose log-odds fulfil a predicate, bit 8 y + x for cell (x, y).
+template <typename Predicate>
+[[nodiscard]] std::uint64_t rows_where(const Tile& tile, const Predicate& predicate) {
+    std::uint64_t rows = 0;
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        rows |= std::uint64_t{predicate(tile.values[i])} << i;
+    }
+    return rows;
+}
 
 /// A set of cells of one tile, one bit each, in Morton order: an aligned block of side 2^l is a run
 /// of 4^l bits.
@@ -60,7 +91,6 @@ struct TileStates {
 };
 
 [[nodiscard]] TileStates states_of(const Tile& tile);
-[[nodiscard]] TileStates uniform_states(CellState state);
 
 /// Where the leaves of a tile that is not all of one state lie: by_level[l] has the bit of the
 /// lower left cell of every leaf of side 2^l. All empty when the whole tile has one state.
@@ -73,5 +103,9 @@ struct TileLeaves {
 };
 
 [[nodiscard]] TileLeaves leaves_of(const TileStates& states);
+
+/// Appends such leaves to a list, depth first. `corner` is the tile's lower left cell.
+void append_leaves(const TileLeaves& in_tile, const TileStates& states, Cell corner,
+                   std::vector<Leaf>& leaves);
 
 }  // namespace quadcut

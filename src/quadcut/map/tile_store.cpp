@@ -24,54 +24,41 @@ TileStore::TileStore() : tiles_(kNumUniform) {
     }
 }
 
-Tile& TileStore::writable_tile(Cell tile) {
-    std::uint32_t place = number(tile);
-    if (place >= kNumUniform) return tiles_[place];
-    const Tile uniform = tiles_[place];
-    if (free_.empty()) {
-        if (tiles_.size() == tiles_.capacity()) {
-            // An eighth at a time: a quarter of a doubled pool would lie idle on average.
-            tiles_.reserve(tiles_.size() + std::max<std::size_t>(32, tiles_.size() / 8));
-        }
-        place = static_cast<std::uint32_t>(tiles_.size());
-        tiles_.push_back(uniform);
-    } else {
-        place = free_.back();
-        free_.pop_back();
-        tiles_[place] = uniform;
-    }
-    set_number(tile, place);
-    return tiles_[place];
-}
-
 void TileStore::set_tile(Cell tile, const Tile& values) {
+    const bool had_bytes = !is_uniform(tile);
     if (has_one_value(values)) {
-        make_uniform(tile, values.values.front());
+        if (had_bytes) free_.push_back(number(tile));
+        set_number(tile, uniform_number(values.values.front()));
     } else {
-        writable_tile(tile) = values;
+        if (!had_bytes) set_number(tile, new_place());
+        tiles_[number(tile)] = values;
     }
 }
 
-void TileStore::make_uniform(Cell tile, int log_odds) {
-    if (!is_uniform(tile)) free_.push_back(number(tile));
-    set_number(tile, uniform_number(log_odds));
+std::uint32_t TileStore::new_place() {
+    if (!free_.empty()) {
+        const std::uint32_t place = free_.back();
+        free_.pop_back();
+        return place;
+    }
+    if (tiles_.size() == tiles_.capacity()) {
+        // An eighth at a time: a quarter of a doubled pool would lie idle on average.
+        tiles_.reserve(tiles_.size() + std::max<std::size_t>(32, tiles_.size() / 8));
+    }
+    tiles_.emplace_back();
+    return static_cast<std::uint32_t>(tiles_.size() - 1);
 }
 
-void TileStore::collapse(Cell tile) {
-    const Tile& values = tiles_[number(tile)];
-    if (!is_uniform(tile) && has_one_value(values)) make_uniform(tile, values.values.front());
-}
-
-void TileStore::set_rectangle(Cell low, Cell high) {
+void TileStore::set_rectangle(const Box& tiles) {
     TileStore larger;
-    larger.directory_ = {low, high.x - low.x + 1, high.y - low.y + 1};
+    larger.directory_ = Raster<std::uint32_t>(tiles);
     for (std::size_t i = 0; i < larger.directory_.values.size(); ++i) {
         const Cell tile = larger.directory_.cell(i);
         larger.set_number(tile, number(tile));
     }
     directory_ = std::move(larger.directory_);
-    low_x_ = static_cast<std::uint32_t>(low.x) * kTileSide;
-    low_y_ = static_cast<std::uint32_t>(low.y) * kTileSide;
+    low_x_ = static_cast<std::uint32_t>(tiles.low.x) * kTileSide;
+    low_y_ = static_cast<std::uint32_t>(tiles.low.y) * kTileSide;
     width_ = static_cast<std::uint32_t>(directory_.width) * kTileSide;
     height_ = static_cast<std::uint32_t>(directory_.height) * kTileSide;
 }

@@ -37,12 +37,6 @@ public:
         return values[entry + kTileSide * y + x];
     }
 
-    /// Where a cell lies in its tile.
-    [[nodiscard]] static std::size_t cell_in_tile(Cell cell) {
-        return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +
-                                        (cell.x & (kTileSide - 1)));
-    }
-
     /// Rectangle of the directory, in tiles.
     [[nodiscard]] const Raster<std::uint32_t>& directory() const { return directory_; }
     [[nodiscard]] bool contains(Cell tile) const { return directory_.contains(tile); }
@@ -51,17 +45,12 @@ public:
     /// All cells share one value and the tile holds no bytes of its own.
     [[nodiscard]] bool is_uniform(Cell tile) const { return number(tile) < kNumUniform; }
 
-    /// The tile, with bytes of its own from now on. The reference dies with the next call.
-    /// @pre contains(tile), for this one and those that follow.
-    [[nodiscard]] Tile& writable_tile(Cell tile);
-    /// Replaces the tile; takes no bytes when all its cells share one value.
+    /// Replaces a tile; gives its bytes back when all its cells share one value.
+    /// @pre contains(tile).
     void set_tile(Cell tile, const Tile& values);
-    /// Gives the bytes of the tile back if all its cells share one value.
-    void collapse(Cell tile);
 
-    /// Makes the rectangle `num_tiles` cover `low` .. `high` (tiles, inclusive); what it held
-    /// stays.
-    void set_rectangle(Cell low, Cell high);
+    /// Makes the rectangle cover these tiles; what it held stays.
+    void set_rectangle(const Box& tiles);
     /// Gives back the bytes that no tile needs, if they are more than an eighth of the tiles'.
     /// O(directory) when it does, which as many tiles have paid for by collapsing.
     void give_back();
@@ -92,7 +81,8 @@ private:
         return static_cast<std::uint32_t>(tile.x - directory_.origin.x) * kTileSide +
                static_cast<std::uint32_t>(tile.y - directory_.origin.y) * kTileSide * kTileSide;
     }
-    void make_uniform(Cell tile, int log_odds);
+    /// A place for a tile that is not uniform.
+    [[nodiscard]] std::uint32_t new_place();
 
     static_assert(sizeof(Tile) == kTileCells);
 

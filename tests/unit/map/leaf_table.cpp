@@ -62,7 +62,9 @@ TEST(LeafTable, RefusesListsThatNoMapGives) {
                  std::logic_error);
     EXPECT_THROW(LeafTable({{{0, 0}, 0, CellState::free}, {{0, 0}, 1, CellState::free}}, root),
                  std::logic_error);
-    EXPECT_THROW(LeafTable({}, Root{{0, 0}, 31}), std::logic_error);
+    EXPECT_THROW(LeafTable({{{0, 0}, 6, CellState::free}}, root), std::logic_error);
+    EXPECT_THROW(LeafTable({{{-8, 0}, 3, CellState::free}}, root), std::logic_error);
+    EXPECT_THROW(LeafTable({{{0, 0}, 200, CellState::unknown}}, root), std::logic_error);
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ TEST(Tile, RowsBecomeMortonOrder) {
 
 TEST(Tile, OneStateHasNoLeavesInside) {
     for (const CellState state : {CellState::unknown, CellState::free, CellState::occupied}) {
-        EXPECT_EQ(leaves_of(uniform_states(state)).count(), 0);
+        Tile tile;
+        tile.values.fill(log_odds_of(state));
+        EXPECT_EQ(leaves_of(states_of(tile)).count(), 0);
     }
 }
 

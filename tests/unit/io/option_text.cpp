@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/base/option_field.hpp"
+#include "io/option_text.hpp"
 
 #include <cstdint>
 #include <set>
@@ -13,7 +13,7 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/options.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 struct Sample {
@@ -149,4 +149,4 @@ TEST(SegmentOptionFields, AreBoundToTheirOptions) {
 }
 
 }  // namespace
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/base/option_field.hpp"
+#include "io/option_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "quadcut/base/error.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 std::string number_text(double value) {
@@ -121,4 +121,4 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
     return nearest;
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io
