@@ -162,7 +162,8 @@ MapUpdate OccupancyMap::commit() {
     std::vector<WrittenTile> tiles;
     tiles.reserve(pending_.size());
     for (const Pending& pending : pending_) {
-        tiles.push_back({morton_code(tile_position(pending.tile)), pending.before,
+        const Cell position = tile_position(pending.tile);
+        tiles.push_back({position, morton_code(position), pending.before,
                          states_of(store_.tile(pending.tile))});
     }
     std::sort(tiles.begin(), tiles.end(),
@@ -178,7 +179,7 @@ MapUpdate OccupancyMap::commit() {
     update.rebuilt = std::move(change.leaves_added);
     if (!tiles.empty()) {
         const auto corner = [&](const WrittenTile& tile) {
-            return root_.block(kTileBits, morton_position(tile.code)).lower_left;
+            return root_.block(kTileBits, tile.position).lower_left;
         };
         update.covering = block_around(corner(tiles.front()), corner(tiles.back()));
     }

@@ -27,12 +27,9 @@ void StatePyramid::take_tiles(const StatePyramid& smaller, Cell position) {
 }
 
 BlockState StatePyramid::from_children(int layer, Cell position) const {
-    const Cell child{position.x * 2, position.y * 2};
-    const BlockState first = at(layer - 1, child);
-    if (at(layer - 1, {child.x + 1, child.y}) != first ||
-        at(layer - 1, {child.x, child.y + 1}) != first ||
-        at(layer - 1, {child.x + 1, child.y + 1}) != first) {
-        return BlockState::mixed;
+    const BlockState first = at(layer - 1, child_of(position, 0));
+    for (int quadrant = 1; quadrant < 4; ++quadrant) {
+        if (at(layer - 1, child_of(position, quadrant)) != first) return BlockState::mixed;
     }
     return first;
 }

@@ -22,6 +22,11 @@ enum class BlockState : std::uint8_t { unknown = 0, free = 1, occupied = 2, mixe
 }
 [[nodiscard]] constexpr bool is_uniform(BlockState state) { return state < BlockState::mixed; }
 
+/// Position of a child in its layer; quadrants 0 .. 3 are in depth-first order.
+[[nodiscard]] constexpr Cell child_of(Cell position, int quadrant) {
+    return {position.x * 2 + (quadrant & 1), position.y * 2 + (quadrant >> 1)};
+}
+
 /// One byte for each block of 8 x 8 cells and more, up to the root: the upper part of the quadtree.
 /// Layer 0 holds the tiles, layer h the blocks of 2^h x 2^h tiles. Positions count blocks of the
 /// layer's own size from the root's lower left. Blocks beyond the rectangle are unknown.
@@ -76,9 +81,7 @@ public:
             return;
         }
         for (int quadrant = 0; quadrant < 4; ++quadrant) {
-            for_each_block(layer - 1,
-                           {position.x * 2 + (quadrant & 1), position.y * 2 + (quadrant >> 1)},
-                           visit);
+            for_each_block(layer - 1, child_of(position, quadrant), visit);
         }
     }
     /// Leaves in a block. O(its nodes of tile size and up).

@@ -7,10 +7,13 @@
 #include <bit>
 #include <utility>
 
-#include "quadcut/map/morton.hpp"
-
 namespace quadcut {
 namespace {
+
+// The block `num_layers` above that holds one.
+Cell ancestor(Cell position, int num_layers) {
+    return {position.x >> num_layers, position.y >> num_layers};
+}
 
 /// Goes down to the written tiles, and sets the blocks around them on the way back.
 class TreeUpdate {
@@ -19,11 +22,11 @@ public:
         : pyramid_(pyramid),
           root_(root),
           old_layer_(before.level - kTileBits),
-          old_code_(morton_code(root.position(before.level, before.lower_left))) {}
+          old_position_(root.position(before.level, before.lower_left)) {}
 
     TreeChange run(std::span<const WrittenTile> tiles) {
         const int top = pyramid_.num_layers() - 1;
-        account(top, 0, visit(top, 0, tiles), BlockState::absent, BlockState::mixed);
+        account(top, {0, 0}, visit(top, {0, 0}, tiles), BlockState::absent, BlockState::mixed);
         std::stable_sort(change_.leaves_added.begin(), change_.leaves_added.end(),
                          [](const Leaf& a, const Leaf& b) { return a.level < b.level; });
         return std::move(change_);
@@ -37,11 +40,10 @@ private:
     };
 
     // `tiles` are the written ones in the block.
-    Block visit(int layer, std::uint64_t code, std::span<const WrittenTile> tiles) {
-        const Cell position = morton_position(code);
+    Block visit(int layer, Cell position, std::span<const WrittenTile> tiles) {
         // A root that grew has new siblings and parents even where no tile was written.
         const bool has_old_root =
-            layer > old_layer_ && old_code_ >> (2 * (layer - old_layer_)) == code;
+            layer > old_layer_ && ancestor(old_position_, layer - old_layer_) == position;
         if (tiles.empty() && !has_old_root) {
             const BlockState state = pyramid_.at(layer, position);
             return {state, state};
@@ -51,23 +53,25 @@ private:
                     BlockState::absent, !tiles.empty()};
         std::array<Block, 4> children;
         for (std::size_t i = 0; i < 4; ++i) {
+            const Cell child = child_of(position, static_cast<int>(i));
             const auto next =
                 std::find_if(tiles.begin(), tiles.end(), [&](const WrittenTile& tile) {
-                    return tile.code >> (2 * (layer - 1)) != 4 * code + i;
+                    return ancestor(tile.position, layer - 1) != child;
                 });
-            children[i] = visit(layer - 1, 4 * code + i, {tiles.begin(), next});
+            children[i] = visit(layer - 1, child, {tiles.begin(), next});
             tiles = {next, tiles.end()};
         }
         block.after = pyramid_.from_children(layer, position);
         pyramid_.set(layer, position, block.after);
         for (std::size_t i = 0; i < 4; ++i) {
-            account(layer - 1, 4 * code + i, children[i], block.before, block.after);
+            account(layer - 1, child_of(position, static_cast<int>(i)), children[i], block.before,
+                    block.after);
         }
         return block;
     }
 
     Block visit_tile(const WrittenTile& tile) {
-        const Cell position = morton_position(tile.code);
+        const Cell position = tile.position;
         Block block{pyramid_.at(0, position), BlockState::absent, true};
         pyramid_.set_tile(position, tile.after);
         block.after = pyramid_.at(0, position);
@@ -102,10 +106,10 @@ private:
 
     // Counts a block whose parent is known. It is a node when its parent is divided, or when it is
     // the root.
-    void account(int layer, std::uint64_t code, const Block& block, BlockState parent_before,
+    void account(int layer, Cell position, const Block& block, BlockState parent_before,
                  BlockState parent_after) {
-        const bool was_node =
-            parent_before == BlockState::mixed || (layer == old_layer_ && code == old_code_);
+        const bool was_node = parent_before == BlockState::mixed ||
+                              (layer == old_layer_ && position == old_position_);
         const bool is_node = parent_after == BlockState::mixed;
         if (is_node && block.is_touched) ++change_.num_nodes_touched;
         if (block.before != BlockState::mixed && block.after == BlockState::mixed) {
@@ -116,7 +120,7 @@ private:
         if (was_leaf && is_leaf && block.before == block.after) return;
         if (was_leaf) ++change_.num_leaves_removed;
         if (is_leaf) {
-            const Root leaf = root_.block(layer + kTileBits, morton_position(code));
+            const Root leaf = root_.block(layer + kTileBits, position);
             change_.leaves_added.push_back({leaf.lower_left, leaf.level, cell_state(block.after)});
         }
     }
@@ -124,7 +128,7 @@ private:
     StatePyramid& pyramid_;
     const Root& root_;
     int old_layer_;
-    std::uint64_t old_code_;
+    Cell old_position_;
     TreeChange change_;
 };
 

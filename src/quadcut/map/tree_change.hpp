@@ -14,9 +14,10 @@
 
 namespace quadcut {
 
-/// A tile that was written, by its Morton code in the root.
+/// A tile that was written, by its position in the pyramid's layer 0.
 struct WrittenTile {
-    std::uint64_t code = 0;
+    Cell position;
+    std::uint64_t code = 0;  ///< morton_code(position)
     TileStates before;
     TileStates after;
 };
