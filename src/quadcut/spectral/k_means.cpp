@@ -15,6 +15,8 @@ namespace quadcut {
 namespace {
 
 constexpr std::size_t kSamplesPerChunk = 2048;
+/// Fewer samples are one thread's work: a step takes less time than threads take to meet.
+constexpr std::size_t kMinSharedSamples = 16384;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::size_t num_chunks(const Embedding& samples) {
@@ -77,6 +79,10 @@ Means means_of(const Embedding& samples, std::span<const std::uint32_t> labels,
     return means;
 }
 
+Executor executor_for(const Embedding& samples, const Executor& executor) {
+    return samples.num_samples < kMinSharedSamples ? Executor{1} : executor;
+}
+
 double inertia_of(const Embedding& samples, std::span<const std::uint32_t> labels,
                   const Means& means) {
     double sum = 0.0;
@@ -92,7 +98,7 @@ class Lloyd {
 public:
     Lloyd(const Embedding& samples, Means means, const Executor& executor)
         : samples_(samples),
-          executor_(executor),
+          executor_(executor_for(samples, executor)),
           means_(std::move(means)),
           labels_(samples.num_samples, 0),
           upper_(samples.num_samples, kInfinity),
@@ -228,7 +234,7 @@ private:
     }
 
     const Embedding& samples_;
-    const Executor& executor_;
+    Executor executor_;
     Means means_;
     std::vector<std::uint32_t> labels_;
     /// Bounds of the distances to the own mean (above) and to the nearest other one (below); the
@@ -281,7 +287,7 @@ KMeansResult cluster_k_means(const Embedding& samples, std::size_t num_clusters,
     KMeansResult best;
     for (std::size_t start = 0; start < std::max<std::size_t>(1, options.num_starts); ++start) {
         Random random = streams.fork(start);
-        Means means = draw_means(samples, num_clusters, random, executor);
+        Means means = draw_means(samples, num_clusters, random, executor_for(samples, executor));
         KMeansResult result = Lloyd(samples, std::move(means), executor).run(options.max_steps);
         if (start == 0 || result.inertia < best.inertia) best = std::move(result);
     }

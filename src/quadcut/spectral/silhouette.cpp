@@ -223,15 +223,16 @@ std::vector<double> score_numbers(const Eigenpairs& pairs, std::size_t max_clust
     const std::vector<std::size_t> chosen =
         draw_samples(pairs.num_nodes, options.silhouette.max_samples, options.silhouette.seed);
     const Embedding samples = rows_of(embed(pairs, max_clusters), chosen);
-    std::vector<Level> levels;
-    for (std::size_t k = options.min_clusters; k <= max_clusters; ++k) {
+    std::vector<Level> levels(max_clusters + 1 - options.min_clusters);
+    parallel_for(executor, levels.size(), 1, [&](std::size_t i, std::size_t) {
+        const std::size_t k = options.min_clusters + i;
         const Embedding part = rows_of(embed(pairs, k, options.scaling), chosen);
-        Clustering clusters = cluster_k_means(part, k, options.k_means, executor).clustering;
-        levels.push_back(make_level(part, std::move(clusters), options.silhouette.distance));
+        Clustering clusters = cluster_k_means(part, k, options.k_means).clustering;
+        levels[i] = make_level(part, std::move(clusters), options.silhouette.distance);
         if (options.scaling == RowScaling::unit_length) {
-            levels.back().scale = inverse_lengths(samples, k);
+            levels[i].scale = inverse_lengths(samples, k);
         }
-    }
+    });
     std::vector<double> scores;
     for (const auto& values : LevelSilhouettes(samples).compute(levels, executor)) {
         scores.push_back(mean_of(values));
