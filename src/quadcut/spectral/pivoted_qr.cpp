@@ -81,7 +81,7 @@ Clustering cluster_pivoted_qr(const Embedding& samples, const Executor& executor
     if (pivots.rows() == 0) return renumbered(axes, 1);
 
     // The orthogonal polar factor of the pivots: the rotation whose axes come nearest to them.
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(pivots.transpose(),
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(pivots.transpose(),
                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::MatrixXd rotation = svd.matrixU() * svd.matrixV().transpose();
     parallel_for(executor, samples.num_samples, kSamplesPerChunk,
