@@ -236,7 +236,8 @@ void add_simulated(int num_buildings, Report& report) {
         robot.seed = options.seed;
         const auto scans = sim::explore(building.map, sim::start_pose(building), robot).scans;
         const GridMap map = map_from_scans(scans, options.resolution_m).to_grid();
-        report.add(name, name, "simulated and scanned", decide_by_truth(map, truth_at(building, map)));
+        report.add(name, name, "simulated and scanned",
+                   decide_by_truth(map, truth_at(building, map)));
     }
 }
 
