@@ -12,8 +12,8 @@ namespace quadcut {
 struct DoorBranch {
     std::uint8_t cue = 0;
     float threshold = 0.0F;
-    std::int8_t below = 0;
-    std::int8_t above = 0;
+    std::int16_t below = 0;
+    std::int16_t above = 0;
 };
 
 struct DoorTree {
