@@ -43,7 +43,7 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
 }
 
 void add_paper_fields(PaperOptions& paper, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 10000, "number of submaps; 0: chosen by silhouette",
+    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen by silhouette",
                       "eq. (5)", &paper.num_submaps});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",

@@ -174,12 +174,16 @@ Pieces cut_into(const Graph& graph, std::size_t count, const SubmapLimits& limit
     // along walls. Told the number of rooms, the ten maps score 58 instead of 41 (mean PQ, plain).
     CutOptions finer = options;
     finer.num_pieces = count;
+    const double area_m2 = std::accumulate(graph.area_m2.begin(), graph.area_m2.end(), 0.0);
+    // More submaps than have room are what was asked for: then none is too small.
+    const double min_area_m2 =
+        static_cast<double>(count) * limits.min_area_m2 > area_m2 ? 0.0 : limits.min_area_m2;
     Pieces best;
     for (int round = 0; round < kMaxRounds; ++round) {
         Pieces pieces = cut(graph, finer, clock, executor);
         clock.begin("fuse");
         pieces = fuse_submaps_to(graph, std::move(pieces), static_cast<std::uint32_t>(count),
-                                 limits.min_area_m2);
+                                 min_area_m2);
         const std::uint32_t found = pieces.count;
         if (found > best.count) best = std::move(pieces);
         if (found >= count || finer.num_pieces >= graph.num_nodes()) break;
