@@ -22,6 +22,7 @@
 #include "io/map_server.hpp"
 #include "io/poses.hpp"
 #include "io/results.hpp"
+#include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -72,6 +73,17 @@ Input read_map(const Arguments& arguments, StageClock& clock) {
     return input;
 }
 
+/// What was asked for and plays no part.
+void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
+    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
+        input.warnings.push_back("--submaps plays no part in the preset rooms; see --preset paper");
+    }
+    if (!input.trajectory.empty() && visited_cells(input.map, input.trajectory).empty()) {
+        input.warnings.push_back("none of the " + std::to_string(input.trajectory.size()) +
+                                 " poses lies in the map");
+    }
+}
+
 /// The options that decide the result; those of the report.
 std::vector<OptionField> without_threads(std::vector<OptionField> fields) {
     std::erase_if(fields, [](const OptionField& field) { return field.name == "threads"; });
@@ -104,6 +116,7 @@ void run(const Arguments& arguments) {
     Input input = find_input_kind(arguments.operands[0]) == InputKind::log
                       ? read_log(arguments, clock, progress)
                       : read_map(arguments, clock);
+    warn_of_the_ineffective(options, input);
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });
     rooms.report.stages_ms = clock.finish();

@@ -184,6 +184,28 @@ TEST(SegmentInputs, PresetPaperGivesAsManySubmapsAsAsked) {
     EXPECT_EQ(num_parts_by_label(read_labels(folder / "out/rooms.png")).size(), 4U);
 }
 
+TEST(SegmentInputs, WhatPlaysNoPartIsWarnedOf) {
+    const Folder folder;
+    const std::string far = folder.write("far.tum", "0 5000 5000 0 0 0 0 1\n");
+    const Outcome outcome = segment_office(folder, {"--submaps", "4", "--poses", far});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("--submaps plays no part"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("none of the 1 poses lies in the map"), std::string::npos)
+        << outcome.err;
+}
+
+TEST(SegmentInputs, EdgesAreCountedOnceAndLoopsNotAtAll) {
+    const auto num_edges = [](const std::string& loops) {
+        const Folder folder;
+        EXPECT_EQ(segment_office(folder, {"--preset", "paper", "--submaps", "4", "--set",
+                                          "paper.self_loops=" + loops})
+                      .exit_code,
+                  0);
+        return Json::parse(read_bytes(folder / "out/report.json"))["num_edges"].get<int>();
+    };
+    EXPECT_EQ(num_edges("none"), num_edges("own_weight"));
+}
+
 TEST(SegmentInputs, QuietPrintsNothing) {
     const Folder folder;
     const Outcome outcome = segment_office(folder, {"--quiet"});

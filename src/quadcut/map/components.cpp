@@ -7,6 +7,9 @@
 namespace quadcut {
 namespace {
 
+/// A building fills at least this much of the ground around it; less are things inside of one.
+constexpr double kMinBuildingShare = 0.05;
+
 // Union-find of labels from 1 on. A label's parent is itself or smaller, so that the top of a set
 // is the label that came first.
 class LabelSets {
@@ -77,15 +80,18 @@ std::optional<std::size_t> find_outside(const FreeComponents& free, std::size_t 
     const std::size_t border =
         width < 2 || height < 2 ? width * height : 2 * width + 2 * height - 4;
     std::optional<std::size_t> outside;
-    bool is_all = true;
+    std::size_t num_others = 0;
     for (std::size_t i = 0; i < free.components.size(); ++i) {
         if (2 * free.components[i].num_border_cells > border) {
             outside = i;
         } else if (free.components[i].num_cells >= min_cells) {
-            is_all = false;
+            num_others += free.components[i].num_cells;
         }
     }
-    return is_all ? std::nullopt : outside;
+    const bool is_building =
+        outside && static_cast<double>(num_others) <
+                       kMinBuildingShare * static_cast<double>(free.components[*outside].num_cells);
+    return is_building ? std::nullopt : outside;
 }
 
 std::vector<bool> components_with(const FreeComponents& free, std::span<const Cell> cells) {

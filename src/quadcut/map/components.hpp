@@ -28,9 +28,10 @@ struct FreeComponents {
 /// Runs of free cells joined row by row (union-find). O(cells).
 [[nodiscard]] FreeComponents find_free_components(const Raster<CellState>& states);
 
-/// Index of the component that covers more than half of the raster's border, if there is one and it
-/// is not all there is: the ground around a building. Components of fewer than `min_cells` do not
-/// count as something else. O(components).
+/// Index of the component that covers more than half of the raster's border, if there is one and
+/// the others together have at least a twentieth of its cells: the ground around a building.
+/// Otherwise it is the building itself, in a map with leaky walls or a tight frame. Components of
+/// fewer than `min_cells` do not count as something else. O(components).
 [[nodiscard]] std::optional<std::size_t> find_outside(const FreeComponents& free,
                                                       std::size_t min_cells);
 

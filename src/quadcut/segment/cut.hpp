@@ -28,7 +28,7 @@ struct CutOptions {
     /// Pieces are found as many as this; 0: as many as the silhouette likes best.
     std::size_t num_pieces = 0;
     std::size_t max_pieces = 30;
-    double min_silhouette = 0.4;
+    double min_silhouette = 0.25;
     RowScaling row_scaling = RowScaling::none;
     std::uint64_t seed = 1;
 };

@@ -126,6 +126,18 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
     }
 }
 
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free) {
+    std::vector<bool> has_floor;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint32_t label = labels.values[i];
+        if (label >= has_floor.size()) has_floor.resize(label + std::size_t{1}, false);
+        if (free.values[i] != 0) has_floor[label] = true;
+    }
+    for (std::uint32_t& label : labels.values) {
+        if (!has_floor[label]) label = 0;
+    }
+}
+
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2) {
     const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));

@@ -26,4 +26,7 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2);
 
+/// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free);
+
 }  // namespace quadcut

@@ -60,6 +60,17 @@ GridMap map_of(const Raster<std::uint8_t>& open, double resolution_m) {
     return map;
 }
 
+/// Each edge stands in two rows; loops are no edges.
+std::size_t num_edges(const Graph& graph) {
+    std::size_t num_entries = 0;
+    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+        for (const std::uint32_t next : graph.neighbours(node)) {
+            if (next != node) ++num_entries;
+        }
+    }
+    return num_entries / 2;
+}
+
 /// Border edges; those in narrow places weigh less, so that cuts are drawn to doorways.
 Graph narrowness_graph(const FreeLeaves& leaves, const Raster<float>& clearance,
                        double resolution_m, double full_clearance_m, const Executor& executor) {
@@ -129,10 +140,13 @@ Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std:
     // 6. Rooms are connected, and what is enclosed by furniture belongs to the room around it.
     connect_regions(rooms.labels);
     drop_impassable(rooms.labels, clearance, options.min_passable_m);
-    adopt_pockets(rooms.labels, mask_of(map, CellState::free), map.resolution_m, kMaxPocketM2);
+    const Raster<std::uint8_t> free = mask_of(map, CellState::free);
+    adopt_pockets(rooms.labels, free, map.resolution_m, kMaxPocketM2);
+    drop_without_floor(rooms.labels, free);
+    connect_regions(rooms.labels);
 
     result.report.num_leaves = leaves.nodes.size();
-    result.report.num_edges = graph.columns.size() / 2;
+    result.report.num_edges = num_edges(graph);
     result.report.eigen = std::move(pieces.eigen);
     complete(std::move(rooms.labels), map, clearance, clock, executor, result);
     return result;
@@ -225,10 +239,12 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
         pieces = fuse_submaps(region, std::move(pieces), limits);
     }
     result.report.eigen = pieces.eigen;
+    // As many submaps as were asked for are all shown, crossed or not.
+    if (options.num_submaps != 0) trajectory = {};
     Raster<std::uint32_t> labels = paint_submaps(map, leaves, nodes, pieces, trajectory);
 
     result.report.num_leaves = leaves.nodes.size();
-    result.report.num_edges = graph.columns.size() / 2;
+    result.report.num_edges = num_edges(graph);
     clock.begin("clearance");
     const Raster<float> clearance =
         clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);

@@ -82,7 +82,7 @@ Clustering cluster_pivoted_qr(const Embedding& samples, const Executor& executor
 
     // The orthogonal polar factor of the pivots: the rotation whose axes come nearest to them.
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(pivots.transpose(),
-                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
+                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::MatrixXd rotation = svd.matrixU() * svd.matrixV().transpose();
     parallel_for(executor, samples.num_samples, kSamplesPerChunk,
                  [&](std::size_t first, std::size_t last) {

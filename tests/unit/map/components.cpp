@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/components.hpp"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "quadcut/base/random.hpp"
@@ -51,6 +54,14 @@ TEST(Components, TheGroundAroundABuildingIsOutside) {
     EXPECT_EQ(find_outside(free, 4), 0U);
     // Too small to be a building.
     EXPECT_EQ(find_outside(free, 9), std::nullopt);
+}
+
+TEST(Components, WhatHoldsTheFloorIsNotOutside) {
+    // A hall whose leaky wall lets it reach the rim, and one small pallet of free cells in it.
+    std::vector<std::string> rows(40, std::string(40, '.'));
+    for (std::size_t i = 10; i < 14; ++i)
+        rows[10][i] = rows[13][i] = rows[i][10] = rows[i][13] = '#';
+    EXPECT_EQ(find_outside(components_of(rows), 2), std::nullopt);
 }
 
 TEST(Components, ACroppedRoomIsNotOutside) {

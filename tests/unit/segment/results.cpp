@@ -118,6 +118,13 @@ TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
                                         "aaaaaa"}));
 }
 
+TEST(Regions, FurnitureAloneIsNoRoom) {
+    Raster<std::uint32_t> labels = drawn_labels({"aabb", "aabb", "ccbb"});
+    const Raster<std::uint8_t> free = drawn_mask({"..#.", "..##", "####"});
+    drop_without_floor(labels, free);
+    EXPECT_EQ(as_drawing(labels), (Rows{"aabb", "aabb", "..bb"}));
+}
+
 TEST(Regions, WhereNoRobotFitsIsNoRoom) {
     Raster<std::uint32_t> labels = drawn_labels({"aa.b", "aa.b"});
     Raster<float> clearance({0, 0}, 4, 2, 0.1F);
