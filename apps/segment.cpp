@@ -73,6 +73,15 @@ Input read_map(const Arguments& arguments, StageClock& clock) {
     return input;
 }
 
+/// As many submaps as were asked for are all shown, whether the log's own trajectory crosses them
+/// or not; poses that are given with --poses still say what is inside.
+void keep_the_number(const Arguments& arguments, const SegmentOptions& options, Input& input) {
+    const bool is_own = input.is_log && !poses_of(arguments);
+    if (is_own && options.preset == Preset::paper && options.paper.num_submaps != 0) {
+        input.trajectory.clear();
+    }
+}
+
 /// What was asked for and plays no part.
 void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
     if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
@@ -116,6 +125,7 @@ void run(const Arguments& arguments) {
     Input input = find_input_kind(arguments.operands[0]) == InputKind::log
                       ? read_log(arguments, clock, progress)
                       : read_map(arguments, clock);
+    keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });

@@ -239,8 +239,6 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
         pieces = fuse_submaps(region, std::move(pieces), limits);
     }
     result.report.eigen = pieces.eigen;
-    // As many submaps as were asked for are all shown, crossed or not.
-    if (options.num_submaps != 0) trajectory = {};
     Raster<std::uint32_t> labels = paint_submaps(map, leaves, nodes, pieces, trajectory);
 
     result.report.num_leaves = leaves.nodes.size();
