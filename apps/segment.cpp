@@ -85,7 +85,8 @@ void keep_the_number(const Arguments& arguments, const SegmentOptions& options, 
 /// What was asked for and plays no part.
 void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
     if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
-        input.warnings.push_back("--submaps plays no part in the preset rooms; see --preset paper");
+        input.warnings.emplace_back(
+            "--submaps plays no part in the preset rooms; see --preset paper");
     }
     if (!input.trajectory.empty() && visited_cells(input.map, input.trajectory).empty()) {
         input.warnings.push_back("none of the " + std::to_string(input.trajectory.size()) +
