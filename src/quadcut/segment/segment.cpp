@@ -228,7 +228,7 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     cut_options.seed = seed;
     const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2, options.max_route_edges,
                               options.min_relation_per_m};
-    // Division and fusion between submaps; a number that is given is kept.
+    // Division and fusion between submaps; a number that is given is cut to.
     Pieces pieces;
     if (options.num_submaps != 0) {
         pieces = cut_into(region, options.num_submaps, limits, cut_options, clock, executor);

@@ -171,7 +171,8 @@ Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count, d
 Pieces cut_into(const Graph& graph, std::size_t count, const SubmapLimits& limits,
                 const CutOptions& options, StageClock& clock, const Executor& executor) {
     // Departs from the paper: it takes the k smallest eigenvectors, some of which belong to slivers
-    // along walls. Told the number of rooms, the ten maps score 58 instead of 41 (mean PQ, plain).
+    // along walls. Told the number of rooms, the ten maps score 58.1 / 56.5 (mean PQ, plain /
+    // furnished) instead of 55.3 / 47.1.
     CutOptions finer = options;
     finer.num_pieces = count;
     const double area_m2 = std::accumulate(graph.area_m2.begin(), graph.area_m2.end(), 0.0);
