@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// The time of segment(), with defaults, on furnished maps, against the exact distance transform
+// that OpenCV makes of the same image: most segmenters of maps begin with one.
+//   micro_speed [-o FILE.json]
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "bench/cases.hpp"
+#include "io/map_server.hpp"
+#include "quadcut/segment/segment.hpp"
+
+namespace quadcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRuns = 15;
+constexpr int kNumThreads = 2;
+
+struct Timing {
+    std::string map;
+    std::size_t num_cells = 0;
+    double segment_ms = std::numeric_limits<double>::infinity();
+    double transform_ms = std::numeric_limits<double>::infinity();
+    /// Of the fastest run.
+    std::vector<std::pair<std::string, double>> stages_ms;
+
+    [[nodiscard]] double ratio() const { return segment_ms / transform_ms; }
+};
+
+/// Free cells 255, all others 0.
+cv::Mat free_image(const GridMap& map) {
+    cv::Mat image(map.states.height, map.states.width, CV_8UC1);
+    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
+        const Cell cell = map.states.cell(i);
+        image.at<std::uint8_t>(cell.y, cell.x) = map.states.values[i] == CellState::free ? 255 : 0;
+    }
+    return image;
+}
+
+template <typename Work>
+double timed_ms(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+/// The fastest of each; both take turns, so that what else the machine does meets both.
+Timing time_map(const std::string& name, const GridMap& map) {
+    Timing timing;
+    timing.map = name;
+    timing.num_cells = map.states.values.size();
+    const cv::Mat image = free_image(map);
+    SegmentOptions options;
+    options.num_threads = kNumThreads;
+    cv::Mat distances;
+    for (int run = 0; run < kRuns; ++run) {
+        timing.transform_ms = std::min(timing.transform_ms, timed_ms([&] {
+                                           cv::distanceTransform(image, distances, cv::DIST_L2,
+                                                                 cv::DIST_MASK_PRECISE);
+                                       }));
+        Segmentation rooms;
+        const double elapsed_ms = timed_ms([&] { rooms = segment(map, options); });
+        if (elapsed_ms >= timing.segment_ms) continue;
+        timing.segment_ms = elapsed_ms;
+        timing.stages_ms = std::move(rooms.report.stages_ms);
+    }
+    return timing;
+}
+
+std::vector<Timing> time_maps(const fs::path& folder) {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.find(".furnished.yaml") != std::string::npos) paths.push_back(entry.path());
+    }
+    std::sort(paths.begin(), paths.end());
+    Progress progress(paths.size());
+    std::vector<Timing> timings;
+    for (const fs::path& path : paths) {
+        timings.push_back(time_map(path.stem().stem().string(), io::read_map(path).map));
+        progress.note(timings.back().map);
+    }
+    return timings;
+}
+
+void print_table(const std::vector<Timing>& timings) {
+    std::printf("| map | megacells | segment ms | distance transform ms | ratio |");
+    for (const auto& [stage, ms] : timings.front().stages_ms)
+        std::printf(" %s %% |", stage.c_str());
+    std::printf("\n|---|---|---|---|---|");
+    for (std::size_t i = 0; i < timings.front().stages_ms.size(); ++i) std::printf("---|");
+    std::printf("\n");
+    std::vector<double> ratios;
+    for (const Timing& timing : timings) {
+        ratios.push_back(timing.ratio());
+        std::printf("| %-16s | %.2f | %6.1f | %5.1f | %5.1f |", timing.map.c_str(),
+                    1e-6 * static_cast<double>(timing.num_cells), timing.segment_ms,
+                    timing.transform_ms, timing.ratio());
+        for (const auto& [stage, ms] : timing.stages_ms) {
+            std::printf(" %.1f |", 100.0 * ms / timing.segment_ms);
+        }
+        std::printf("\n");
+    }
+    std::sort(ratios.begin(), ratios.end());
+    std::printf("ratio: median %.1f, worst %.1f\n", quantile(ratios, 0.5), ratios.back());
+}
+
+int run(int argc, char** argv) {
+    const fs::path folder = fs::path(QUADCUT_SHARED_DIR) / "data/rooms";
+    if (!fs::exists(folder)) {
+        std::cout << "no data in " << folder.string() << ": nothing to measure\n";
+        return 0;
+    }
+    cv::setNumThreads(kNumThreads);
+    const std::vector<Timing> timings = time_maps(folder);
+    if (timings.empty()) return 0;
+    print_table(timings);
+    if (const std::string path = output_path(argc, argv); !path.empty()) {
+        auto rows = nlohmann::ordered_json::array();
+        for (const Timing& timing : timings) {
+            nlohmann::ordered_json row;
+            row["input"] = timing.map;
+            row["cells"] = timing.num_cells;
+            row["segment_ms"] = timing.segment_ms;
+            row["distance_transform_ms"] = timing.transform_ms;
+            for (const auto& [stage, ms] : timing.stages_ms) row["stages_ms"][stage] = ms;
+            rows.push_back(std::move(row));
+        }
+        std::ofstream(path) << rows.dump(1) << "\n";
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) { return quadcut::run(argc, argv); }
