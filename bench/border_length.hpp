@@ -27,11 +27,11 @@ struct BorderSide {
     std::array<Cell, 2> corners;
 };
 
-/// The shortest line that leaves the centres of the cells on the sides that they are on.
+/// A line that leaves the centres of the cells on the sides that they are on.
 struct BorderLine {
     double length_cells = 0.0;
     double chord_cells = 0.0;
-    /// At least 1; of a straight border in any direction 1 (to 0.2 %).
+    /// At least 1; of a straight border in any direction 1.
     [[nodiscard]] double ratio() const {
         return chord_cells > 0.0 ? length_cells / chord_cells : 1.0;
     }
@@ -39,9 +39,10 @@ struct BorderLine {
 
 /// Counting the sides would make a slanting straight border 1.4 times as long as it is. Any digital
 /// straight line, however, has a straight line that passes between all of its pairs of centres. So
-/// the border counts as long as the shortest line through all of these gaps, in their order.
+/// the border counts as long as the shortest line through all of these gaps, in their order, from
+/// the place in the first to the place in the last for which that is the straightest.
 /// Dynamic programme over places in each gap. O(sides).
-inline BorderLine shortest_line(const std::vector<BorderSide>& sides) {
+inline BorderLine straightest_line(const std::vector<BorderSide>& sides) {
     constexpr std::size_t kPlaces = 17;
     if (sides.empty()) return {};
     const auto place = [&](std::size_t side, std::size_t k) {
@@ -49,28 +50,30 @@ inline BorderLine shortest_line(const std::vector<BorderSide>& sides) {
         const auto& [from, to, corners] = sides[side];
         return Point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
     };
-    std::array<double, kPlaces> length{};
-    std::array<Point, kPlaces> start{};
-    for (std::size_t k = 0; k < kPlaces; ++k) start[k] = place(0, k);
-    for (std::size_t side = 1; side < sides.size(); ++side) {
-        std::array<double, kPlaces> next_length{};
-        std::array<Point, kPlaces> next_start{};
-        for (std::size_t k = 0; k < kPlaces; ++k) {
-            next_length[k] = std::numeric_limits<double>::infinity();
-            for (std::size_t before = 0; before < kPlaces; ++before) {
-                const double way =
-                    length[before] + distance(place(side - 1, before), place(side, k));
-                if (way >= next_length[k]) continue;
-                next_length[k] = way;
-                next_start[k] = start[before];
+    BorderLine best{std::numeric_limits<double>::infinity(), 0.0};
+    for (std::size_t start = 0; start < kPlaces; ++start) {
+        std::array<double, kPlaces> length{};
+        length.fill(std::numeric_limits<double>::infinity());
+        length[start] = 0.0;
+        for (std::size_t side = 1; side < sides.size(); ++side) {
+            std::array<double, kPlaces> next{};
+            for (std::size_t k = 0; k < kPlaces; ++k) {
+                next[k] = std::numeric_limits<double>::infinity();
+                for (std::size_t before = 0; before < kPlaces; ++before) {
+                    next[k] = std::min(next[k], length[before] + distance(place(side - 1, before),
+                                                                          place(side, k)));
+                }
+            }
+            length = next;
+        }
+        for (std::size_t end = 0; end < kPlaces; ++end) {
+            const double chord = distance(place(0, start), place(sides.size() - 1, end));
+            if (length[end] - chord < best.length_cells - best.chord_cells) {
+                best = {length[end], chord};
             }
         }
-        length = next_length;
-        start = next_start;
     }
-    const auto best = static_cast<std::size_t>(
-        std::distance(length.begin(), std::min_element(length.begin(), length.end())));
-    return {length[best], distance(start[best], place(sides.size() - 1, best))};
+    return best;
 }
 
 /// All sides between the rooms `a` and `b` within a box.
@@ -169,7 +172,7 @@ inline BorderLine measure_border(const Raster<std::uint16_t>& labels, const Door
     });
     std::vector<BorderSide> line;
     for (const std::vector<BorderSide>& run : runs) line.insert(line.end(), run.begin(), run.end());
-    return shortest_line(line);
+    return straightest_line(line);
 }
 
 }  // namespace quadcut
