@@ -15,13 +15,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/baseline.hpp"
-#include "bench/border_length.hpp"
 #include "bench/building_case.hpp"
+#include "bench/building_score.hpp"
 #include "bench/cases.hpp"
 #include "bench/door_score.hpp"
-#include "io/score.hpp"
-#include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
 namespace {
@@ -29,82 +26,6 @@ namespace {
 constexpr double kMaxWidthErrorM = 0.1;
 constexpr double kMaxBorderRatio = 1.05;
 constexpr std::size_t kNumWorst = 12;
-
-/// Rows: the true kind; columns: the found one; unknown, room, corridor, hall.
-using KindCounts = std::array<std::array<std::size_t, 4>, 4>;
-
-struct MatchedDoor {
-    double distance_m = 0.0;
-    double width_error_m = 0.0;
-    /// How much of that error the map has already.
-    double map_error_m = 0.0;
-    double border_ratio = 0.0;
-    double border_over_width = 0.0;
-    bool is_open_passage = false;
-    std::uint32_t truth = 0;
-};
-
-struct CaseResult {
-    BuildingCase chosen;
-    io::RoomScore rooms;
-    io::RoomScore baseline;
-    DoorScore doors;
-    std::vector<MatchedDoor> matched;
-    KindCounts kinds{};
-};
-
-/// The kinds of true rooms and of the rooms that they are matched with, IoU > 0.5.
-KindCounts count_kinds(const MappedBuilding& mapped, const Segmentation& found) {
-    std::vector<std::size_t> num_true(mapped.building.rooms.size() + 1, 0);
-    std::vector<std::size_t> num_found(found.rooms.size() + 1, 0);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> shared;
-    for (std::size_t i = 0; i < mapped.truth.values.size(); ++i) {
-        const std::uint32_t truth = mapped.truth.values[i];
-        const std::uint32_t room = found.labels.values[i];
-        if (truth == 0 || room == 0) continue;
-        ++num_true[truth];
-        ++num_found[room];
-        ++shared[{truth, room}];
-    }
-    KindCounts counts{};
-    for (const auto& [pair, count] : shared) {
-        const auto [truth, room] = pair;
-        if (num_true[truth] <= io::kIgnoredRegionPixels) continue;
-        if (2 * count <= num_true[truth] + num_found[room] - count) continue;
-        ++counts[static_cast<std::size_t>(mapped.building.rooms[truth - 1].kind)]
-                [static_cast<std::size_t>(found.rooms[room - 1].kind)];
-    }
-    return counts;
-}
-
-CaseResult measure(const BuildingCase& chosen) {
-    const MappedBuilding mapped = map_building(chosen);
-    SegmentOptions options;
-    options.num_threads = 1;
-    const Segmentation found = segment(mapped.map, options, mapped.trajectory);
-    CaseResult result;
-    result.chosen = chosen;
-    const io::LabelImage truth = as_label_image(mapped.truth);
-    result.rooms = io::score_rooms(as_label_image(found.labels), truth);
-    result.baseline =
-        io::score_rooms(as_label_image(distance_baseline(mapped.map, mapped.trajectory)), truth);
-    result.doors = DoorScorer(mapped, found).score();
-    const Pose image_from_map = inverse(mapped.map.map_from_image);
-    const Beside beside(mapped.map);
-    for (const DoorPair& pair : result.doors.pairs) {
-        const Door& door = found.doors[pair.predicted];
-        const sim::TrueDoor& truth_door = mapped.building.doors[pair.truth];
-        const BorderLine border =
-            measure_border(found.labels, door, image_from_map, mapped.map.resolution_m);
-        result.matched.push_back(
-            {pair.distance_m, door.width_m - truth_door.width_m,
-             beside.width_on_map_m(truth_door.jamb_1, truth_door.jamb_2) - truth_door.width_m,
-             border.ratio(), border.length_cells * mapped.map.resolution_m / door.width_m,
-             truth_door.is_open_passage, static_cast<std::uint32_t>(pair.truth)});
-    }
-    result.kinds = count_kinds(mapped, found);
-    return result;
-}
 
 /// Right, missed and invented doors.
 struct Rates {
@@ -291,6 +212,14 @@ void print_causes(const std::vector<CaseResult>& results) {
     print("Wrong doors by cause", causes);
     print("Wrong doors by the rooms on their sides", rooms);
     std::printf("%zu true openings left out: the map does not show both sides\n", num_unseen);
+    double pq = 0.0;
+    std::size_t num_in_shafts = 0;
+    for (const CaseResult& result : results) {
+        pq += result.pq_without_shafts();
+        num_in_shafts += result.num_in_shafts;
+    }
+    std::printf("%zu rooms are shafts that a map draws free; without them PQ %.1f\n", num_in_shafts,
+                100.0 * pq / static_cast<double>(results.size()));
 }
 
 void print_worst(const std::vector<CaseResult>& results) {
@@ -336,6 +265,8 @@ nlohmann::ordered_json row_of(const CaseResult& result) {
     row["turned"] = result.chosen.is_turned;
     row["scanned"] = result.chosen.is_scanned;
     row["pq"] = result.rooms.pq;
+    row["in_shafts"] = result.num_in_shafts;
+    row["pq_without_shafts"] = result.pq_without_shafts();
     row["f1_70"] = result.rooms.f1_70;
     row["cover"] = result.rooms.cover;
     row["rooms"] = result.rooms.rooms;
