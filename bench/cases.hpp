@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -67,7 +68,8 @@ inline Raster<std::uint32_t> as_raster(const io::LabelImage& image) {
 /// The value at a quantile of values in ascending order, 0..1; 0 when there are none.
 inline double quantile(const std::vector<double>& ascending, double q) {
     if (ascending.empty()) return 0.0;
-    return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
+    const double place = q * static_cast<double>(ascending.size() - 1);
+    return ascending[static_cast<std::size_t>(std::lround(place))];
 }
 
 /// Percent of a whole; 0 of nothing.

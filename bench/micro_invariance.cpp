@@ -64,9 +64,10 @@ GridMap resample(const GridMap& map, const Resampling& change) {
         const Cell cell = changed.states.cell(i);
         CellState state = CellState::free;
         for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-            const Cell source =
-                cell_of(change.source({cell.x + (sample % kSamples + 0.5) / kSamples,
-                                       cell.y + (sample / kSamples + 0.5) / kSamples}));
+            const int row = sample / kSamples;
+            const int column = sample % kSamples;
+            const Cell source = cell_of(change.source(
+                {cell.x + (column + 0.5) / kSamples, cell.y + (row + 0.5) / kSamples}));
             const CellState at =
                 map.states.contains(source) ? map.states.at(source) : CellState::unknown;
             if (at == CellState::occupied || state == CellState::free) state = at;
