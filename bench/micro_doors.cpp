@@ -95,8 +95,8 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
     RegionGraph regions(basins.labels, basins.count, clearance, map.resolution_m);
     RegionTruth rooms(basins.labels, basins.count, truth);
     std::priority_queue<Candidate> queue;
-    const auto push = [&](std::uint32_t a, std::uint32_t b, const Saddle& saddle) {
-        const Narrowing narrowing = regions.measure(saddle);
+    const auto push = [&](std::uint32_t a, std::uint32_t b) {
+        const Narrowing narrowing = regions.measure(a, b);
         queue.push({{door_cues(narrowing), door_log_odds(narrowing), false},
                     a,
                     b,
@@ -105,7 +105,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
     };
     for (std::uint32_t region = 1; region <= basins.count; ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
-            if (other > region) push(region, other, saddle);
+            if (other > region) push(region, other);
         }
     }
     std::vector<Sample> samples;
@@ -128,7 +128,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
         const std::uint32_t other = a_larger ? top.b : top.a;
         regions.join(heir, other);
         rooms.join(heir, other);
-        for (const auto& [next, saddle] : regions.saddles(heir)) push(heir, next, saddle);
+        for (const auto& [next, saddle] : regions.saddles(heir)) push(heir, next);
     }
     return samples;
 }

@@ -14,6 +14,11 @@ constexpr double kLeast = 1e-3;
 
 float logarithm(double ratio) { return static_cast<float>(std::log(std::max(ratio, kLeast))); }
 
+/// The region's length over its width, as if it were a rectangle.
+double elongation(const SideOfSaddle& side) {
+    return side.region_area_m2 / (4.0 * side.region_peak_m * side.region_peak_m);
+}
+
 }  // namespace
 
 const std::array<std::string_view, kNumDoorCues>& door_cue_names() {
@@ -23,7 +28,12 @@ const std::array<std::string_view, kNumDoorCues>& door_cue_names() {
         "wider_reach",       "narrower_area_5",   "wider_area_5",      "narrower_area_3_m2",
         "wider_area_3_m2",   "less_thin_wall_m",  "more_thin_wall_m",  "less_flush_wall_m",
         "more_flush_wall_m", "border_ratio",      "widening_1_less_m", "widening_1_more_m",
-        "widening_2_less_m", "widening_2_more_m", "jamb_distance_m"};
+        "widening_2_less_m", "widening_2_more_m", "jamb_distance_m",
+        "narrower_spread_3", "wider_spread_3", "less_spread_3", "more_spread_3",
+        "narrower_spread_5", "wider_spread_5",
+        "narrower_region_m2", "wider_region_m2", "narrower_region_peak", "wider_region_peak",
+        "narrower_elongation", "wider_elongation", "narrower_openings", "wider_openings",
+        "less_line_m", "more_line_m", "less_line_share", "more_line_share"};
     return kNames;
 }
 
@@ -54,7 +64,25 @@ std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing) {
             static_cast<float>(opening.widening_m[0][1]),
             static_cast<float>(opening.widening_m[1][0]),
             static_cast<float>(opening.widening_m[1][1]),
-            static_cast<float>(opening.width_m)};
+            static_cast<float>(opening.width_m),
+            logarithm(narrower.spread_m[0] / h),
+            logarithm(wider.spread_m[0] / h),
+            logarithm(std::min(narrower.spread_m[0], wider.spread_m[0]) / h),
+            logarithm(std::max(narrower.spread_m[0], wider.spread_m[0]) / h),
+            logarithm(narrower.spread_m[1] / h),
+            logarithm(wider.spread_m[1] / h),
+            logarithm(narrower.region_area_m2),
+            logarithm(wider.region_area_m2),
+            logarithm(narrower.region_peak_m / h),
+            logarithm(wider.region_peak_m / h),
+            logarithm(elongation(narrower)),
+            logarithm(elongation(wider)),
+            static_cast<float>(narrower.num_openings),
+            static_cast<float>(wider.num_openings),
+            static_cast<float>(opening.line_of_walls_m[0]),
+            static_cast<float>(opening.line_of_walls_m[1]),
+            static_cast<float>(opening.line_share[0]),
+            static_cast<float>(opening.line_share[1])};
 }
 
 double door_log_odds(const Narrowing& narrowing) {

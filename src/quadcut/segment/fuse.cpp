@@ -31,15 +31,16 @@ struct Candidate {
 };
 
 /// The log-odds of a door; that of no door at all when the opening is too wide for one.
-double door_likeness(RegionGraph& regions, const Saddle& saddle, double max_width_m) {
+double door_likeness(RegionGraph& regions, std::uint32_t a, std::uint32_t b, double max_width_m) {
+    const Saddle& saddle = regions.saddles(a).at(b);
     if (2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) return kNoDoor;
-    return door_log_odds(regions.measure(saddle));
+    return door_log_odds(regions.measure(a, b));
 }
 
 void push_saddles(RegionGraph& regions, std::uint32_t region, double max_width_m,
                   std::priority_queue<Candidate>& queue) {
     for (const auto& [other, saddle] : regions.saddles(region)) {
-        queue.push({door_likeness(regions, saddle, max_width_m), region, other,
+        queue.push({door_likeness(regions, region, other, max_width_m), region, other,
                     regions.version(region), regions.version(other)});
     }
 }
@@ -50,7 +51,7 @@ void join_across_wide_saddles(RegionGraph& regions, const FuseOptions& options) 
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other < region) continue;
-            queue.push({door_likeness(regions, saddle, options.max_width_m), region, other, 0, 0});
+            queue.push({door_likeness(regions, region, other, options.max_width_m), region, other, 0, 0});
         }
     }
     while (!queue.empty() && queue.top().key < options.min_log_odds) {

@@ -3,15 +3,98 @@
 #include "quadcut/segment/open_space.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/map/flood.hpp"
 
 namespace quadcut {
+namespace {
+
+constexpr int kNumDirections = 24;
+/// Doors beside a pier are at most this wide.
+constexpr double kMaxGapM = 1.6;
+/// A wall has at least this length in line with a pier, and a face within this of its middle.
+constexpr double kMinWallM = 0.4;
+constexpr double kFaceM = 0.25;
+
+/// Questions about free space; positions and lengths in cells.
+class WallSeeker {
+public:
+    WallSeeker(const Raster<std::uint8_t>& free, double resolution_m)
+        : free_(free),
+          max_gap_(kMaxGapM / resolution_m),
+          min_wall_(kMinWallM / resolution_m),
+          face_(kFaceM / resolution_m) {}
+
+    /// Whether an obstacle is a part of a wall with a gap on both sides of it, as the pier between
+    /// two doors and what a flaw of the map has cut off: in some direction through its middle
+    /// there is a wall end on both sides.
+    [[nodiscard]] bool is_pier(const std::vector<std::size_t>& obstacle) const {
+        Point middle;
+        for (const std::size_t i : obstacle) {
+            const Cell cell = free_.cell(i);
+            middle.x += (cell.x + 0.5) / static_cast<double>(obstacle.size());
+            middle.y += (cell.y + 0.5) / static_cast<double>(obstacle.size());
+        }
+        for (int k = 0; k < kNumDirections; ++k) {
+            const double angle = std::numbers::pi * k / kNumDirections;
+            const Point along{std::cos(angle), std::sin(angle)};
+            if (meets_wall_end(middle, along) && meets_wall_end(middle, {-along.x, -along.y})) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    [[nodiscard]] bool is_free(const Point& at) const {
+        const Cell cell{static_cast<std::int32_t>(std::floor(at.x)),
+                        static_cast<std::int32_t>(std::floor(at.y))};
+        return free_.contains(cell) && free_.at(cell) != 0;
+    }
+    [[nodiscard]] bool has_face(const Point& at, const Point& side) const {
+        for (double t = 1.0; t <= face_; t += 1.0) {
+            if (is_free({at.x + t * side.x, at.y + t * side.y})) return true;
+        }
+        return false;
+    }
+    /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction.
+    [[nodiscard]] bool meets_wall_end(const Point& from, const Point& along) const {
+        const auto at = [&](double t) { return Point{from.x + t * along.x, from.y + t * along.y}; };
+        double t = 0.0;
+        while (!is_free(at(t))) {
+            if (t > max_gap_) return false;
+            t += 1.0;
+        }
+        const double edge = t;
+        while (is_free(at(t))) {
+            if (t - edge > max_gap_) return false;
+            t += 1.0;
+        }
+        for (const double end = t + min_wall_; t < end; t += 1.0) {
+            if (is_free(at(t)) || !has_face(at(t), {-along.y, along.x}) ||
+                !has_face(at(t), {along.y, -along.x})) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    const Raster<std::uint8_t>& free_;
+    double max_gap_;
+    double min_wall_;
+    double face_;
+};
+
+}  // namespace
 
 Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
                                 const OpenSpaceOptions& options) {
     Raster<std::uint8_t> open = kept;
+    const WallSeeker walls(kept, resolution_m);
     const double max_cells = options.max_furniture_m2 / (resolution_m * resolution_m);
     std::vector<bool> seen(kept.values.size(), false);
     for (std::size_t seed = 0; seed < kept.values.size(); ++seed) {
@@ -22,7 +105,8 @@ Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolut
         const bool is_furniture =
             static_cast<double>(obstacle.size()) < max_cells &&
             std::none_of(obstacle.begin(), obstacle.end(),
-                         [&](std::size_t cell) { return is_on_edge(kept, cell); });
+                         [&](std::size_t cell) { return is_on_edge(kept, cell); }) &&
+            !walls.is_pier(obstacle);
         if (!is_furniture) continue;
         for (const std::size_t cell : obstacle) open.values[cell] = 1;
     }

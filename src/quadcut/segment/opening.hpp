@@ -19,9 +19,17 @@ struct Saddle {
     std::size_t num_contacts = 0;
 };
 
+/// A unit vector in the raster's axes.
+struct Direction {
+    double x = 1.0;
+    double y = 0.0;
+};
+
 /// The opening at a saddle, and the walls around it. All zero without obstacles on both sides.
 struct Opening {
     bool has_jambs = false;
+    /// From the first jamb to the second; without jambs, along the border at the saddle.
+    Direction along;
     /// The obstacle cells on both sides of the opening.
     std::array<Cell, 2> jambs{};
     double width_m = 0.0;
@@ -31,6 +39,10 @@ struct Opening {
     /// For each face of the opening: length of wall flush with it, at the jamb with less of it; at
     /// most 0.6 m. Smaller one first.
     std::array<double, 2> flush_wall_m{};
+    /// In line with the opening, up to 6 m behind each jamb: metres of wall surface, also beyond
+    /// gaps; and the share of it that is wall up to the last of it. Smaller one first.
+    std::array<double, 2> line_of_walls_m{};
+    std::array<double, 2> line_share{};
     /// How far the free space reaches out sideways beyond the jambs, as the mean of the first metre
     /// on that side of the opening: 0 where side walls go on from the jambs; at most 1.5 m. By
     /// side, the one with the larger minimum first; then by jamb, smaller one first.

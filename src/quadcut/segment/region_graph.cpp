@@ -3,47 +3,92 @@
 #include "quadcut/segment/region_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace quadcut {
+namespace {
+
+/// A robot fits through an opening with this clearance.
+constexpr float kFitsM = 0.25F;
+
+std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
+    return std::minmax(a, b);
+}
+
+}  // namespace
 
 RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                          const Raster<float>& clearance_m, double resolution_m)
     : pieces_(pieces),
       clearance_(clearance_m),
+      resolution_m_(resolution_m),
       gauge_(clearance_m, resolution_m),
       region_(num_pieces + 1),
       members_(num_pieces + 1),
-      area_m2_(num_pieces + 1, 0.0),
+      extent_(num_pieces + 1),
       version_(num_pieces + 1, 0),
       saddles_(num_pieces + 1) {
     std::iota(region_.begin(), region_.end(), 0U);
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-    for (const std::uint32_t piece : pieces.values) {
-        area_m2_[piece] += resolution_m * resolution_m;
-    }
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        if (pieces.values[i] == 0) continue;
         const Cell cell = pieces.cell(i);
+        Extent& extent = extent_[pieces.values[i]];
+        extent.area_m2 += resolution_m * resolution_m;
+        extent.peak_m = std::max(extent.peak_m, static_cast<double>(clearance_m.values[i]));
+        extent.box.include({cell, cell});
         if (cell.x + 1 < pieces.origin.x + pieces.width) meet(cell, {cell.x + 1, cell.y});
         if (cell.y + 1 < pieces.origin.y + pieces.height) meet(cell, {cell.x, cell.y + 1});
     }
 }
 
 void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
+    for (const auto& [other, saddle] : saddles_[a]) {
+        if (is_near(extent_[b].box, saddle)) measured_.erase(pair_of(a, other));
+    }
     for (const std::uint32_t piece : members_[b]) region_[piece] = a;
     members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
     members_[b].clear();
-    area_m2_[a] += area_m2_[b];
+    extent_[a].area_m2 += extent_[b].area_m2;
+    extent_[a].peak_m = std::max(extent_[a].peak_m, extent_[b].peak_m);
+    extent_[a].box.include(extent_[b].box);
     ++version_[a];
     saddles_[a].erase(b);
     for (const auto& [other, saddle] : saddles_[b]) {
         saddles_[other].erase(b);
+        measured_.erase(pair_of(b, other));
         if (other == a) continue;
+        measured_.erase(pair_of(a, other));
         widen(saddles_[a], other, saddle);
         widen(saddles_[other], a, {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts});
     }
     saddles_[b].clear();
+}
+
+Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
+    if (a > b) std::swap(a, b);
+    const auto [at, is_new] = measured_.try_emplace({a, b});
+    Narrowing& narrowing = at->second;
+    if (is_new) narrowing = gauge_.measure(saddles_[a].at(b), {pieces_, region_});
+    describe(narrowing.is_a_narrower ? a : b, narrowing.narrower);
+    describe(narrowing.is_a_narrower ? b : a, narrowing.wider);
+    return narrowing;
+}
+
+void RegionGraph::describe(std::uint32_t region, SideOfSaddle& side) const {
+    side.region_area_m2 = extent_[region].area_m2;
+    side.region_peak_m = extent_[region].peak_m;
+    side.num_openings = static_cast<std::size_t>(
+        std::count_if(saddles_[region].begin(), saddles_[region].end(),
+                      [](const auto& entry) { return entry.second.clearance_m > kFitsM; }));
+}
+
+bool RegionGraph::is_near(const Box& box, const Saddle& saddle) const {
+    const auto reach = static_cast<std::int32_t>(std::ceil(kNarrowingReachM / resolution_m_)) + 1;
+    return saddle.a.x >= box.low.x - reach && saddle.a.x <= box.high.x + reach &&
+           saddle.a.y >= box.low.y - reach && saddle.a.y <= box.high.y + reach;
 }
 
 void RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/narrowing.hpp"
 
@@ -28,30 +29,43 @@ public:
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
         return saddles_[region];
     }
-    [[nodiscard]] double area_m2(std::uint32_t region) const { return area_m2_[region]; }
+    [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
+    /// The largest clearance in the region.
+    [[nodiscard]] double peak_m(std::uint32_t region) const { return extent_[region].peak_m; }
     /// How often the region has been joined with another.
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
 
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
 
-    [[nodiscard]] Narrowing measure(const Saddle& saddle) {
-        return gauge_.measure(saddle, {pieces_, region_});
-    }
+    /// What lies on both sides of the saddle between two regions that touch. What a join has not
+    /// come near to is not measured again.
+    [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
 
 private:
+    struct Extent {
+        double area_m2 = 0.0;
+        double peak_m = 0.0;
+        Box box;
+    };
+
     static void widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
                       const Saddle& saddle);
     void meet(Cell cell_a, Cell cell_b);
+    [[nodiscard]] bool is_near(const Box& box, const Saddle& saddle) const;
+    void describe(std::uint32_t region, SideOfSaddle& side) const;
 
     const Raster<std::uint32_t>& pieces_;
     const Raster<float>& clearance_;
+    double resolution_m_;
     NarrowingGauge gauge_;
     std::vector<std::uint32_t> region_;
     std::vector<std::vector<std::uint32_t>> members_;
-    std::vector<double> area_m2_;
+    std::vector<Extent> extent_;
     std::vector<std::uint32_t> version_;
     std::vector<std::map<std::uint32_t, Saddle>> saddles_;
+    /// Of regions a < b, at the saddle of a.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Narrowing> measured_;
 };
 
 }  // namespace quadcut
