@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/segment.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,12 +23,16 @@
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/poses.hpp"
+#include "io/previous_result.hpp"
 #include "io/results.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/segment/track.hpp"
 
 namespace quadcut {
 namespace {
+
+constexpr std::string_view kPreviousFlag = "--previous";
 
 /// What io::write_results writes, first what people look at.
 constexpr std::array<const char*, 7> kResultFiles{"rooms_color.png", "rooms.svg",     "rooms.png",
@@ -114,6 +120,30 @@ std::vector<std::string> write(const std::filesystem::path& folder, const Input&
     return files;
 }
 
+/// The result whose ids and names are kept; read first, since the new one may take its place.
+std::optional<io::PreviousResult> read_previous(const Arguments& arguments, StageClock& clock) {
+    const std::optional<std::string> folder = arguments.value(kPreviousFlag);
+    if (!folder) return std::nullopt;
+    clock.begin("previous");
+    return io::read_previous_result(*folder);
+}
+
+/// What became of the rooms of `previous`, whose ids and names the rooms get.
+std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridMap& map,
+                                 StageClock& clock, Segmentation& rooms) {
+    clock.begin("track");
+    Tracked tracked = track(rooms, io::on_cells_of(previous, map, rooms.labels));
+    rooms = std::move(tracked.segmentation);
+    const bool is_any_kept =
+        std::any_of(tracked.events.begin(), tracked.events.end(),
+                    [](const RoomEvent& event) { return event.change == RoomChange::kept; });
+    if (!is_any_kept && !rooms.rooms.empty() && !previous.legend.rooms.empty()) {
+        rooms.report.warnings.emplace_back(
+            "no room is where one of the earlier result is: are both in the same map frame?");
+    }
+    return std::move(tracked.events);
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder = output_folder(arguments);
@@ -123,27 +153,36 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
+    const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     Input input = find_input_kind(arguments.operands[0]) == InputKind::log
                       ? read_log(arguments, clock, progress)
                       : read_map(arguments, clock);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
+    io::RunInfo info;
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });
+    if (previous) {
+        info.previous_colors = previous->legend.colors;
+        info.events = recognise(*previous, input.map, clock, rooms);
+    }
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
     progress.begin("write");
-    const io::RunInfo info{QUADCUT_VERSION,    arguments.operands[0],
-                           input.content_hash, without_threads(fields),
-                           input.keys,         static_cast<int>(options.num_threads)};
+    info.version = QUADCUT_VERSION;
+    info.input = arguments.operands[0];
+    info.input_hash = input.content_hash;
+    info.options = without_threads(fields);
+    info.map_keys = input.keys;
+    info.num_threads = static_cast<int>(options.num_threads);
     const std::vector<std::string> files = write(folder, input, rooms, info);
 
     progress.wipe();
     print_warnings(rooms.report.warnings);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    print_summary(rooms, elapsed.count(), io::display_name(folder), files,
+    print_summary(rooms, info.events, elapsed.count(), io::display_name(folder), files,
                   summary_style_of(arguments));
 }
 
@@ -163,12 +202,15 @@ Command segment_command() {
                   flag_of(fields, "door_width", "M"),
                   flag_of(fields, "granularity", "G"),
                   poses_flag(),
+                  {std::string(kPreviousFlag), "", "DIR",
+                   "an earlier result of the building: rooms that are the same keep id and name; "
+                   "may be the folder of -o"},
                   flag_of(fields, "threads", "N"),
                   {std::string(kSetFlag), "", "NAME=VALUE",
                    "any other option ('quadcut options' lists them); may be repeated"},
                   json_flag(),
                   quiet_flag()};
-    form.planned_flags = {"--previous", "--device"};
+    form.planned_flags = {"--device"};
     return {form, run};
 }
 

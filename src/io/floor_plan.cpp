@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "io/floor_cells.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
+#include "io/room_places.hpp"
 #include "io/room_text.hpp"
 
 namespace quadcut::io {
@@ -165,11 +167,12 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     draw_cells(cells, plan);
 
     const CellsFromMap cells_from_map(map);
+    const std::map<RoomId, std::size_t> places = room_places(segmentation.rooms);
     for (const Door& door : segmentation.doors) {
         plan.doors.push_back({layout.scale.to_page(cells_from_map(door.jamb_1)),
                               layout.scale.to_page(cells_from_map(door.jamb_2)),
-                              "Door between " + plan.rooms[index(door.a) - 1].name + " and " +
-                                  plan.rooms[index(door.b) - 1].name + ", " +
+                              "Door between " + plan.rooms[places.at(door.a)].name + " and " +
+                                  plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
     const Typeface typeface;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/geojson.hpp"
 
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "io/json_writer.hpp"
 #include "io/map_frame.hpp"
 #include "io/outline.hpp"
+#include "io/room_places.hpp"
 #include "io/room_text.hpp"
 #include "io/smooth_outline.hpp"
 
@@ -28,17 +30,20 @@ std::vector<std::vector<RegionOutline>> trace_rooms(const Segmentation& segmenta
     return parts;
 }
 
-std::vector<std::set<std::size_t>> find_neighbours(const Segmentation& segmentation,
-                                                   std::span<const RoomPair> pairs) {
-    std::vector<std::set<std::size_t>> neighbours(segmentation.rooms.size());
+/// Ids, in order of rooms.
+std::vector<std::set<RoomId>> find_neighbours(const Segmentation& segmentation,
+                                              std::span<const RoomPair> pairs) {
+    const std::vector<Room>& rooms = segmentation.rooms;
+    std::vector<std::set<RoomId>> neighbours(rooms.size());
     const auto join = [&](std::size_t a, std::size_t b) {
-        neighbours.at(a - 1).insert(b);
-        neighbours.at(b - 1).insert(a);
+        neighbours.at(a).insert(rooms.at(b).id);
+        neighbours.at(b).insert(rooms.at(a).id);
     };
     for (const RoomPair& pair : pairs) {
-        if (pair.closeness == Closeness::touching) join(pair.a, pair.b);
+        if (pair.closeness == Closeness::touching) join(pair.a - 1U, pair.b - 1U);
     }
-    for (const Door& door : segmentation.doors) join(index(door.a), index(door.b));
+    const std::map<RoomId, std::size_t> places = room_places(rooms);
+    for (const Door& door : segmentation.doors) join(places.at(door.a), places.at(door.b));
     return neighbours;
 }
 
@@ -48,7 +53,7 @@ public:
         : json_(json), frame_(map), decimals_(frame_.decimals()), resolution_m_(map.resolution_m) {}
 
     void room(const Room& room, const std::vector<RegionOutline>& parts,
-              const std::set<std::size_t>& neighbours, Rgb color) {
+              const std::set<RoomId>& neighbours, Rgb color) {
         json_.begin_object().key("type").text("Feature");
         json_.key("id").text("room-" + std::to_string(index(room.id)));
         json_.key("properties").begin_object();
@@ -61,7 +66,7 @@ public:
         json_.key("label_point");
         point(room.label_point);
         json_.key("neighbours").begin_array();
-        for (const std::size_t neighbour : neighbours) json_.integer(neighbour);
+        for (const RoomId neighbour : neighbours) json_.integer(index(neighbour));
         json_.end_array();
         json_.key("color").text(to_hex(color));
         json_.end_object();
@@ -137,7 +142,7 @@ private:
 std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
                        std::span<const RoomPair> pairs, std::span<const Rgb> colors) {
     const std::vector<std::vector<RegionOutline>> parts = trace_rooms(segmentation);
-    const std::vector<std::set<std::size_t>> neighbours = find_neighbours(segmentation, pairs);
+    const std::vector<std::set<RoomId>> neighbours = find_neighbours(segmentation, pairs);
     JsonWriter json;
     json.begin_object(JsonLayout::lines).key("type").text("FeatureCollection");
     json.key("format_version").integer(kFormatVersion);

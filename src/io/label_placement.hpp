@@ -25,6 +25,7 @@ struct TextLine {
 
 /// The text in a room: its name, and its area below if there is space for it.
 struct RoomLabel {
+    /// As the ground has it: 1 + the room's place.
     std::uint32_t room = 0;
     TextDirection direction = TextDirection::along_rows;
     TextLine name;

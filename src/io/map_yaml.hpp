@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/yaml.hpp"
 #include "quadcut/base/geometry.hpp"
 
 namespace quadcut::io {
@@ -32,6 +33,9 @@ struct MapKeys {
 /// or twice there, or a value cannot be: a resolution outside 0.001 .. 10 metres, thresholds
 /// outside 0 .. 1 or crossed, an origin that is not three finite numbers.
 [[nodiscard]] MapKeys parse_map_yaml(std::string_view bytes, const std::string& name);
+
+/// The same from a YAML that has been read; `name` stands in messages.
+[[nodiscard]] MapKeys map_keys_of(const YamlNode& root, const std::string& name);
 
 /// Throws InputError that begins with `place` unless the resolution is in 0.001 .. 10 metres.
 void check_resolution(double resolution_m, const std::string& place);

@@ -72,16 +72,14 @@ Oklab to_oklab(Rgb color) {
             0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-using Distances = std::array<std::array<double, kNumColors>, kNumColors>;
+double distance(const Oklab& x, const Oklab& y) {
+    return std::hypot(x.lightness - y.lightness, x.a - y.a, x.b - y.b);
+}
 
-Distances palette_distances() {
-    Distances distances{};
-    for (std::size_t i = 0; i < kNumColors; ++i) {
-        for (std::size_t j = 0; j < kNumColors; ++j) {
-            distances[i][j] = perceived_distance(color_at(i), color_at(j));
-        }
-    }
-    return distances;
+std::array<Oklab, kNumColors> palette_looks() {
+    std::array<Oklab, kNumColors> looks;
+    for (std::size_t i = 0; i < kNumColors; ++i) looks[i] = to_oklab(color_at(i));
+    return looks;
 }
 
 /// Greedy colouring: always the room with the most coloured neighbours next (Brelaz 1979).
@@ -89,15 +87,38 @@ class Coloring {
 public:
     Coloring(std::span<const RoomKind> kinds, std::span<const RoomPair> pairs)
         : kinds_(kinds),
+          pairs_(pairs),
           neighbours_(kinds.size()),
           num_colored_neighbours_(kinds.size(), 0),
-          choice_(kinds.size(), kNumColors) {
+          colors_(kinds.size()),
+          looks_(kinds.size()) {
         for (const RoomPair& pair : pairs) {
             if (pair.a == 0 || pair.b > kinds.size() || pair.a >= pair.b) {
                 throw std::logic_error("choose_room_colors: a pair names a room that is not there");
             }
             neighbours_[pair.a - 1U].push_back(pair.b - 1U);
             neighbours_[pair.b - 1U].push_back(pair.a - 1U);
+        }
+    }
+
+    void keep(std::span<const std::optional<Rgb>> colors) {
+        std::vector<std::vector<std::size_t>> touched_before(kinds_.size());
+        for (const RoomPair& pair : pairs_) {
+            if (pair.closeness == Closeness::across_wall) continue;
+            touched_before[pair.b - 1U].push_back(pair.a - 1U);
+        }
+        for (std::size_t room = 0; room < colors.size(); ++room) {
+            if (!colors[room]) continue;
+            const Oklab look = to_oklab(*colors[room]);
+            const auto& before = touched_before[room];
+            const bool is_clear = std::all_of(before.begin(), before.end(), [&](std::size_t other) {
+                return !looks_[other] || distance(*looks_[other], look) >= kClearDistance;
+            });
+            if (is_clear) paint(room, *colors[room], look);
+        }
+        for (std::size_t color = 0; color < kNumColors; ++color) {
+            num_uses_[color] = static_cast<std::size_t>(
+                std::count(colors_.begin(), colors_.end(), color_at(color)));
         }
     }
 
@@ -108,30 +129,37 @@ public:
             return std::tuple(kinds_.size() - num_colored_neighbours_[room],
                               kinds_.size() - neighbours_[room].size(), room);
         };
-        for (std::size_t room = 0; room < kinds_.size(); ++room) open.insert(rank(room));
+        for (std::size_t room = 0; room < kinds_.size(); ++room) {
+            if (!looks_[room]) open.insert(rank(room));
+        }
         while (!open.empty()) {
             const std::size_t room = std::get<2>(*open.begin());
             open.erase(open.begin());
-            choice_[room] = choose(room);
-            ++num_uses_[choice_[room]];
             for (const std::size_t neighbour : neighbours_[room]) {
-                const bool waiting = choice_[neighbour] == kNumColors;
-                if (waiting) open.erase(rank(neighbour));
-                ++num_colored_neighbours_[neighbour];
-                if (waiting) open.insert(rank(neighbour));
+                if (!looks_[neighbour]) open.erase(rank(neighbour));
+            }
+            const std::size_t color = choose(room);
+            paint(room, color_at(color), palette_[color]);
+            ++num_uses_[color];
+            for (const std::size_t neighbour : neighbours_[room]) {
+                if (!looks_[neighbour]) open.insert(rank(neighbour));
             }
         }
-        std::vector<Rgb> colors;
-        for (const std::size_t choice : choice_) colors.push_back(color_at(choice));
-        return colors;
+        return colors_;
     }
 
 private:
+    void paint(std::size_t room, Rgb color, const Oklab& look) {
+        colors_[room] = color;
+        looks_[room] = look;
+        for (const std::size_t neighbour : neighbours_[room]) ++num_colored_neighbours_[neighbour];
+    }
+
     [[nodiscard]] double nearest_neighbour(std::size_t room, std::size_t color) const {
         double nearest = 1.0;
         for (const std::size_t neighbour : neighbours_[room]) {
-            if (choice_[neighbour] == kNumColors) continue;
-            nearest = std::min(nearest, distances_[color][choice_[neighbour]]);
+            if (!looks_[neighbour]) continue;
+            nearest = std::min(nearest, distance(palette_[color], *looks_[neighbour]));
         }
         return nearest;
     }
@@ -156,11 +184,14 @@ private:
     }
 
     std::span<const RoomKind> kinds_;
+    std::span<const RoomPair> pairs_;
     std::vector<std::vector<std::size_t>> neighbours_;
     std::vector<std::size_t> num_colored_neighbours_;
-    std::vector<std::size_t> choice_;
+    std::vector<Rgb> colors_;
+    /// None yet: not coloured yet.
+    std::vector<std::optional<Oklab>> looks_;
     std::array<std::size_t, kNumColors> num_uses_{};
-    Distances distances_ = palette_distances();
+    std::array<Oklab, kNumColors> palette_ = palette_looks();
 };
 
 }  // namespace
@@ -183,15 +214,14 @@ Rgb mixed(Rgb under, Rgb over, double share) {
             channel(under.blue, over.blue)};
 }
 
-double perceived_distance(Rgb a, Rgb b) {
-    const Oklab x = to_oklab(a);
-    const Oklab y = to_oklab(b);
-    return std::hypot(x.lightness - y.lightness, x.a - y.a, x.b - y.b);
-}
+double perceived_distance(Rgb a, Rgb b) { return distance(to_oklab(a), to_oklab(b)); }
 
 std::vector<Rgb> choose_room_colors(std::span<const RoomKind> kinds,
-                                    std::span<const RoomPair> pairs) {
-    return Coloring(kinds, pairs).run();
+                                    std::span<const RoomPair> pairs,
+                                    std::span<const std::optional<Rgb>> kept) {
+    Coloring coloring(kinds, pairs);
+    coloring.keep(kept);
+    return coloring.run();
 }
 
 }  // namespace quadcut::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +36,11 @@ struct Rgb {
 inline constexpr double kClearDistance = 0.045;
 
 /// A soft colour for each room: rooms[i] has label i + 1. Rooms of a pair get clearly different
-/// colours, corridors pale neutral ones. Depends on nothing but the arguments. O(pairs log rooms).
+/// colours, corridors pale neutral ones. A room whose colour is given in `kept` (empty, or one for
+/// each room) has that one, unless it touches a room before it whose given colour is too like it.
+/// Depends on nothing but the arguments. O(pairs log rooms).
 [[nodiscard]] std::vector<Rgb> choose_room_colors(std::span<const RoomKind> kinds,
-                                                  std::span<const RoomPair> pairs);
+                                                  std::span<const RoomPair> pairs,
+                                                  std::span<const std::optional<Rgb>> kept = {});
 
 }  // namespace quadcut::io

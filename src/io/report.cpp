@@ -8,6 +8,7 @@
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "io/option_text.hpp"
+#include "io/room_events.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -74,7 +75,12 @@ std::string to_report_json(const GridMap& map, const Segmentation& segmentation,
     }
     json.end_array().key("warnings").begin_array(JsonLayout::lines);
     for (const std::string& warning : report.warnings) json.text(warning);
-    json.end_array().key("stages_ms").begin_object();
+    json.end_array();
+    if (info.events) {
+        json.key("previous");
+        write_events(json, *info.events);
+    }
+    json.key("stages_ms").begin_object();
     for (const auto& [stage, ms] : stages_ms) json.key(stage).number(ms);
     return json.end_object().end_object().finish();
 }

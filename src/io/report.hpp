@@ -3,14 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/map_yaml.hpp"
+#include "io/palette.hpp"
 #include "quadcut/base/option_field.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/track.hpp"
 
 namespace quadcut::io {
 
@@ -25,6 +29,9 @@ struct RunInfo {
     std::vector<OptionField> options;
     /// Keys of the map that was read, for the files that carry them on.
     MapKeys map_keys;
+    /// When ids were taken from an earlier result: what became of its rooms, and their colours.
+    std::optional<std::vector<RoomEvent>> events;
+    std::map<RoomId, Rgb> previous_colors;
     /// Threads that prepare the files; the bytes do not depend on it.
     int num_threads = 1;
 };

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include "io/image.hpp"
 #include "io/label_image.hpp"
 #include "io/render.hpp"
+#include "io/room_places.hpp"
 #include "io/rooms_yaml.hpp"
 #include "io/svg.hpp"
 #include "quadcut/base/parallel.hpp"
@@ -47,14 +49,24 @@ void check_rooms(const Segmentation& segmentation) {
     const std::vector<Room>& rooms = segmentation.rooms;
     const auto& labels = segmentation.labels.values;
     const auto most = std::max_element(labels.begin(), labels.end());
+    const std::map<RoomId, std::size_t> places = room_places(rooms);
     bool valid = most == labels.end() || *most <= rooms.size();
-    for (std::size_t i = 0; i < rooms.size(); ++i) valid = valid && index(rooms[i].id) == i + 1;
+    valid = valid && places.size() == rooms.size() && !places.contains(RoomId{});
+    valid = valid && (rooms.empty() || index(places.rbegin()->first) <= kMaxRoomId);
     for (const Door& door : segmentation.doors) {
-        for (const RoomId id : {door.a, door.b}) {
-            valid = valid && index(id) > 0 && index(id) <= rooms.size();
-        }
+        valid = valid && places.contains(door.a) && places.contains(door.b);
     }
     if (!valid) throw std::logic_error("labels or doors name rooms that are not there");
+}
+
+/// Of each cell, the id of its room.
+Raster<std::uint16_t> ids_on_cells(const Segmentation& segmentation) {
+    Raster<std::uint16_t> ids = segmentation.labels;
+    for (std::uint16_t& value : ids.values) {
+        if (value == 0) continue;
+        value = static_cast<std::uint16_t>(index(segmentation.rooms[value - 1U].id));
+    }
+    return ids;
 }
 
 /// A file and how to make its bytes.
@@ -82,10 +94,16 @@ std::vector<RoomPair> find_near_rooms(const GridMap& map, const Segmentation& se
 }
 
 std::vector<Rgb> room_colors(const Segmentation& segmentation,
-                             const std::vector<RoomPair>& near_rooms) {
+                             const std::vector<RoomPair>& near_rooms,
+                             const std::map<RoomId, Rgb>& previous) {
     std::vector<RoomKind> kinds;
-    for (const Room& room : segmentation.rooms) kinds.push_back(room.kind);
-    return choose_room_colors(kinds, near_rooms);
+    std::vector<std::optional<Rgb>> kept;
+    for (const Room& room : segmentation.rooms) {
+        kinds.push_back(room.kind);
+        const auto found = previous.find(room.id);
+        kept.push_back(found == previous.end() ? std::nullopt : std::optional(found->second));
+    }
+    return choose_room_colors(kinds, near_rooms, kept);
 }
 
 void write_results(const std::filesystem::path& folder, const GridMap& map,
@@ -100,16 +118,16 @@ void write_results(const std::filesystem::path& folder, const GridMap& map,
 
     FileBatch batch(folder);
     const std::vector<RoomPair> near_rooms = find_near_rooms(map, segmentation);
-    const std::vector<Rgb> colors = room_colors(segmentation, near_rooms);
+    const std::vector<Rgb> colors = room_colors(segmentation, near_rooms, info.previous_colors);
     const FloorPlan plan = lay_out_floor_plan(map, segmentation, colors);
     MapKeys keys = info.map_keys;
     keys.image = "rooms.png";
     const std::vector<Task> tasks = {
         {"rooms_color.png", [&] { return render_png(plan); }},
-        {"rooms.png", [&] { return encode_label_png(labels); }},
+        {"rooms.png", [&] { return encode_label_png(ids_on_cells(segmentation)); }},
         {"rooms.geojson", [&] { return to_geojson(map, segmentation, near_rooms, colors); }},
         {"rooms.svg", [&] { return render_svg(plan); }},
-        {"rooms.yaml", [&] { return to_rooms_yaml(map, keys, segmentation.rooms, colors); }},
+        {"rooms.yaml", [&] { return to_rooms_yaml(map, keys, segmentation, colors); }},
         {"graph.json", [&] { return to_graph_json(segmentation); }},
     };
     add_files(batch, tasks, info.num_threads);

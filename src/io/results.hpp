@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "io/palette.hpp"
@@ -14,13 +15,13 @@
 namespace quadcut::io {
 
 /// Writes what a segmentation found into `folder`, which is made if need be:
-/// rooms.png (16-bit labels, the map image's size, 0 = no room), rooms.yaml (the map's keys, and
-/// the legend), rooms_color.png and rooms.svg (to look at), rooms.geojson, graph.json, report.json.
+/// rooms.png (16-bit ids, the map image's size, 0 = no room), rooms.yaml (the map's keys, and the
+/// legend), rooms_color.png and rooms.svg (to look at), rooms.geojson, graph.json, report.json.
 /// All are prepared under other names and then put in place together; what an interrupted run
 /// leaves is whole. The time it takes is added to the report's stages as `write`.
 /// No rooms: the same files, empty. Throws InputError that names the path when the folder or a file
-/// in it cannot be written; std::logic_error when the map is empty or labels name rooms that are
-/// not there.
+/// in it cannot be written; std::logic_error when the map is empty, labels or doors name rooms that
+/// are not there, or ids are not different ones in 1 .. kMaxRoomId.
 void write_results(const std::filesystem::path& folder, const GridMap& map,
                    const Segmentation& segmentation, const RunInfo& info);
 
@@ -32,8 +33,9 @@ void write_map(const std::filesystem::path& folder, const GridMap& map);
 [[nodiscard]] std::vector<RoomPair> find_near_rooms(const GridMap& map,
                                                     const Segmentation& segmentation);
 
-/// The colour of each room in pictures and legends.
+/// The colour of each room in pictures and legends; those that had one before keep it.
 [[nodiscard]] std::vector<Rgb> room_colors(const Segmentation& segmentation,
-                                           const std::vector<RoomPair>& near_rooms);
+                                           const std::vector<RoomPair>& near_rooms,
+                                           const std::map<RoomId, Rgb>& previous = {});
 
 }  // namespace quadcut::io

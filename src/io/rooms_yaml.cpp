@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/rooms_yaml.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "io/map_frame.hpp"
@@ -32,11 +35,15 @@ std::string to_map_yaml(const GridMap& map, const MapKeys& keys) {
     return yaml;
 }
 
-std::string to_rooms_yaml(const GridMap& map, const MapKeys& keys, std::span<const Room> rooms,
+std::string to_rooms_yaml(const GridMap& map, const MapKeys& keys, const Segmentation& segmentation,
                           std::span<const Rgb> colors) {
+    const std::vector<Room>& rooms = segmentation.rooms;
+    std::size_t next_id = segmentation.next_id;
+    for (const Room& room : rooms) next_id = std::max(next_id, index(room.id) + 1);
     const int decimals = MapFrame(map).decimals();
     std::string yaml = to_map_yaml(map, keys);
     yaml += "frame: map\n";
+    yaml += "next_id: " + std::to_string(next_id) + "\n";
     yaml += rooms.empty() ? "labels: []\n" : "labels:\n";
     for (std::size_t i = 0; i < rooms.size(); ++i) {
         const Room& room = rooms[i];

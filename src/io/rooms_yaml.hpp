@@ -17,8 +17,10 @@ namespace quadcut::io {
 [[nodiscard]] std::string to_map_yaml(const GridMap& map, const MapKeys& keys);
 
 /// The keys of the map for the label image `keys.image`, and `labels`: what each value of it means.
-/// Positions in metres, map frame. colors[i] is the colour of rooms[i].
+/// A room's value is its id; `next_id` is higher than any id that was ever given. Positions in
+/// metres, map frame. colors[i] is the colour of rooms[i].
 [[nodiscard]] std::string to_rooms_yaml(const GridMap& map, const MapKeys& keys,
-                                        std::span<const Room> rooms, std::span<const Rgb> colors);
+                                        const Segmentation& segmentation,
+                                        std::span<const Rgb> colors);
 
 }  // namespace quadcut::io

@@ -12,7 +12,6 @@
 namespace quadcut::io {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
 // libyaml's own limit is high enough for it to spend hours on a megabyte of brackets.
 constexpr int kMaxDepth = 32;
 
@@ -92,9 +91,9 @@ YamlNode read_node(EventReader& reader, int depth) {
 
 }  // namespace
 
-YamlNode parse_yaml(std::string_view bytes, const std::string& name) {
-    if (bytes.size() > kMaxBytes) {
-        throw InputError(name + ": larger than the " + std::to_string(kMaxBytes) +
+YamlNode parse_yaml(std::string_view bytes, const std::string& name, std::size_t max_bytes) {
+    if (bytes.size() > max_bytes) {
+        throw InputError(name + ": larger than the " + std::to_string(max_bytes) +
                          " bytes that a YAML may have");
     }
     EventReader reader(bytes, name);

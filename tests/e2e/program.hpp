@@ -54,7 +54,10 @@ std::filesystem::path shared(std::string_view relative_path);
 /// unknown, anything else free. All lines have the same length.
 std::string drawn_pgm(const std::vector<std::string>& lines, int scale);
 
-/// Three rooms of about 3 x 3.2 m (at 0.05 m a pixel) on a corridor, with doors of 0.8 m.
+/// Three rooms on a corridor, as drawn_pgm() takes them.
+std::vector<std::string> office_drawing();
+
+/// The same: rooms of about 3 x 3.2 m (at 0.05 m a pixel), with doors of 0.8 m.
 std::string office_pgm();
 
 /// A map_server YAML for an image, with its lower left corner at (1, -2).

@@ -95,7 +95,18 @@ def write_poses():
     write("poses", "tum.txt.gz", gzip.compress(tum.encode(), mtime=0))
 
 
+def write_legends():
+    flow = ('  - {value: 1, id: 1, name: "room 1", kind: room, area_m2: 9.5, centroid: [1, 2],'
+            ' label_point: [1.5, 2], color: "#a0b1c2"}\n')
+    block = "  - value: 7\n    id: 65535\n    name: 'Anna''s'\n    kind: corridor\n"
+    write("legend", "flow.yaml", yaml(more="format_version: 1\nnext_id: 12\nlabels:\n" + flow))
+    write("legend", "block.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + block))
+    write("legend", "empty.yaml", yaml(more="format_version: 1\nlabels: []\n"))
+    write("legend", "twice.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + flow))
+
+
 if __name__ == "__main__":
     write_maps()
     write_logs()
     write_poses()
+    write_legends()

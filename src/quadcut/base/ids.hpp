@@ -12,7 +12,7 @@ namespace quadcut {
 
 /// Index of a leaf in the list that a map returned.
 enum class LeafId : std::uint32_t {};
-/// A room's label in a result, 1, 2, ...; 0 = no room.
+/// Who a room is, 1, 2, ..., from one result of a map to the next; 0 = no room.
 enum class RoomId : std::uint32_t {};
 
 template <typename Id>

@@ -72,20 +72,14 @@ RoomKind kind_of(const Shape& shape, double area_m2, double resolution_m, std::s
     return area_m2 >= kHallMinAreaM2 ? RoomKind::hall : RoomKind::room;
 }
 
-std::string kind_word(RoomKind kind) {
-    switch (kind) {
-        case RoomKind::corridor:
-            return "corridor";
-        case RoomKind::hall:
-            return "hall";
-        case RoomKind::room:
-        case RoomKind::unknown:
-            break;
-    }
-    return "room";
-}
-
 }  // namespace
+
+std::string default_name(RoomKind kind, RoomId id) {
+    const char* const word = kind == RoomKind::corridor ? "corridor "
+                             : kind == RoomKind::hall   ? "hall "
+                                                        : "room ";
+    return word + std::to_string(index(id));
+}
 
 std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels) {
     std::vector<std::uint32_t> number;
@@ -125,7 +119,7 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         room.id = RoomId{id};
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
         room.kind = kind_of(shape, room.area_m2, map.resolution_m, num_doors[id]);
-        room.name = kind_word(room.kind) + " " + std::to_string(id);
+        room.name = default_name(room.kind, room.id);
         room.centroid = in_map_frame(shape.sum_x / num_cells, shape.sum_y / num_cells);
         room.label_point = in_map_frame(shape.deepest.x + 0.5, shape.deepest.y + 0.5);
         rooms.push_back(std::move(room));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
@@ -16,8 +17,11 @@ namespace quadcut {
 /// Returns the new count. O(cells).
 std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels);
 
+/// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
+[[nodiscard]] std::string default_name(RoomKind kind, RoomId id);
+
 /// Area, centroid, label point, kind and name of each region 1 .. count, whose doors are given.
-/// Names are the kind and the id: "corridor 3". O(cells).
+/// Names are the default ones. O(cells).
 [[nodiscard]] std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels,
                                                std::uint32_t count, const GridMap& map,
                                                const std::vector<Door>& doors,

@@ -28,7 +28,6 @@
 namespace quadcut {
 namespace {
 
-constexpr std::uint32_t kMaxRooms = 65535;
 /// What is enclosed by an outline up to this size is the inside of furniture.
 constexpr double kMaxPocketM2 = 4.0;
 
@@ -92,12 +91,13 @@ void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<flo
               StageClock& clock, const Executor& executor, Segmentation& result) {
     clock.begin("doors");
     const std::uint32_t count = number_in_reading_order(labels);
-    if (count > kMaxRooms) {
+    if (count > kMaxRoomId) {
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
     }
     result.doors = find_doors(labels, count, clearance, map.resolution_m, map.map_from_image);
     result.rooms = describe_rooms(labels, count, map, result.doors, executor);
+    result.next_id = count + 1;
     result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
     std::transform(labels.values.begin(), labels.values.end(), result.labels.values.begin(),
                    [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });

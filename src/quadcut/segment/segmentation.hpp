@@ -56,13 +56,19 @@ struct SegmentReport {
     std::vector<std::string> warnings;
 };
 
-/// A map cut into rooms. `labels` covers the map's cells: 0 = no room, otherwise the RoomId, whose
-/// room is rooms[id - 1]. Every free cell that was kept has exactly one room; rooms are connected
-/// (4-neighbours).
+/// The highest id that a room can have; also the most rooms that a map can have.
+inline constexpr std::uint32_t kMaxRoomId = 65535;
+
+/// A map cut into rooms. `labels` covers the map's cells: 0 = no room, otherwise the room is
+/// rooms[label - 1], whatever its id. Every free cell that was kept has exactly one room; rooms are
+/// connected (4-neighbours) and in the order of their ids. segment() gives the ids 1 .. n, track()
+/// those of an earlier result.
 struct Segmentation {
     Raster<std::uint16_t> labels;
     std::vector<Room> rooms;
     std::vector<Door> doors;
+    /// No room of this map has ever had this id or a higher one.
+    std::uint32_t next_id = 1;
     SegmentReport report;
 };
 

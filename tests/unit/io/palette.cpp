@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/palette.hpp"
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -47,6 +48,32 @@ TEST(RoomColors, UseTheWholePalette) {
     std::set<std::string> names;
     for (const Rgb color : colors) names.insert(to_hex(color));
     EXPECT_EQ(names.size(), 14U);
+}
+
+TEST(RoomColors, ThoseThatAreGivenAreKept) {
+    const std::vector<RoomKind> kinds(3, RoomKind::room);
+    const std::vector<RoomPair> pairs = {
+        {1, 2, Closeness::touching}, {1, 3, Closeness::across_wall}, {2, 3, Closeness::touching}};
+    const Rgb red{0xFF, 0, 0};
+    const auto colors =
+        choose_room_colors(kinds, pairs, std::vector<std::optional<Rgb>>{red, std::nullopt, red});
+    EXPECT_EQ(colors[0], red);
+    EXPECT_EQ(colors[2], red) << "a wall is between them";
+    EXPECT_GE(perceived_distance(colors[1], red), kClearDistance);
+    const auto alike = choose_room_colors(
+        kinds, pairs, std::vector<std::optional<Rgb>>{red, Rgb{0xFE, 0, 0}, std::nullopt});
+    EXPECT_EQ(alike[0], red);
+    EXPECT_GE(perceived_distance(alike[1], red), kClearDistance) << "they touch";
+}
+
+TEST(RoomColors, ThoseThatAreKeptAreNotAllThatIsUsed) {
+    const std::vector<RoomKind> kinds(4, RoomKind::room);
+    const auto first = choose_room_colors(kinds, {});
+    std::vector<std::optional<Rgb>> kept(first.begin(), first.end());
+    kept[2].reset();
+    const auto second = choose_room_colors(kinds, {}, kept);
+    EXPECT_EQ(second[3], first[3]);
+    for (const std::size_t other : {0U, 1U, 3U}) EXPECT_NE(second[2], second[other]);
 }
 
 TEST(RoomColors, OfNoRoomsAreNone) { EXPECT_TRUE(choose_room_colors({}, {}).empty()); }

@@ -88,6 +88,7 @@ TEST(Results, LegendIsYamlWithTheKeysOfTheMap) {
     const auto yaml = yaml_as_json(folder, folder.path() / "out" / "rooms.yaml");
     if (!yaml) GTEST_SKIP() << "no yaml module in " << QUADCUT_PYTHON;
     EXPECT_EQ((*yaml)["format_version"], 1);
+    EXPECT_EQ((*yaml)["next_id"], 3);
     ASSERT_EQ((*yaml)["labels"].size(), 2U);
     const json& room = (*yaml)["labels"][1];
     EXPECT_EQ(room["value"], 2);
@@ -146,6 +147,41 @@ TEST(Results, GraphHasRoomsAndDoors) {
     EXPECT_EQ(graph["edges"][0]["target"], 2);
     EXPECT_EQ(graph["edges"][0]["width_m"], 0.4);
     EXPECT_EQ(graph["edges"][0]["y"], 3.2);
+}
+
+TEST(Results, NameRoomsByTheirIds) {
+    const ScratchFolder folder;
+    test::DrawnFloor floor = two_rooms();
+    floor.segmentation.rooms[1].id = RoomId{1000};
+    floor.segmentation.doors[0].b = RoomId{1000};
+    floor.segmentation.next_id = 2000;
+    RunInfo info;
+    info.previous_colors = {{RoomId{1000}, {1, 2, 3}}};
+    info.events = {{RoomChange::kept, RoomId{1}, "Room 1", {}},
+                   {RoomChange::split, RoomId{1000}, "B", RoomId{1}},
+                   {RoomChange::merged, RoomId{7}, "G", RoomId{1}}};
+    write_results(folder.path(), floor.map, floor.segmentation, info);
+    EXPECT_EQ(read_image(folder.path() / "rooms.png").row(20)[36], 1000);
+    const std::string yaml = read_file(folder.path() / "rooms.yaml");
+    EXPECT_NE(yaml.find("\nnext_id: 2000\n"), std::string::npos);
+    EXPECT_NE(yaml.find("{value: 1000, id: 1000, "), std::string::npos);
+    EXPECT_NE(yaml.find("color: \"#010203\""), std::string::npos);
+    const json plan = json::parse(read_file(folder.path() / "rooms.geojson"));
+    EXPECT_EQ(plan["features"][0]["properties"]["neighbours"], json{1000});
+    EXPECT_EQ(plan["features"][1]["properties"]["neighbours"], json{1});
+    EXPECT_EQ(plan["features"][1]["id"], "room-1000");
+    EXPECT_EQ(plan["features"][2]["properties"]["b"], 1000);
+    const json graph = json::parse(read_file(folder.path() / "graph.json"));
+    EXPECT_EQ(graph["nodes"][1]["id"], 1000);
+    EXPECT_EQ(graph["edges"][0]["target"], 1000);
+    const std::string svg = read_file(folder.path() / "rooms.svg");
+    EXPECT_NE(svg.find("id=\"room-1000\" fill=\"#010203\""), std::string::npos);
+    EXPECT_NE(svg.find("Door between Room 1 and B: "), std::string::npos);
+    const json previous = json::parse(read_file(folder.path() / "report.json"))["previous"];
+    EXPECT_EQ(previous["kept"], 1);
+    EXPECT_EQ(previous["events"],
+              json::parse(R"([{"event": "split", "room": 1000, "name": "B", "from": 1},
+                              {"event": "merged", "room": 7, "name": "G", "into": 1}])"));
 }
 
 TEST(Results, AreTheSameBytesForAnyNumberOfThreads) {
@@ -208,6 +244,13 @@ TEST(Results, RefuseRoomsThatAreNotThere) {
     floor.segmentation.rooms.pop_back();
     floor.segmentation.doors.clear();
     EXPECT_THROW(write_results(folder.path(), floor.map, floor.segmentation, {}), std::logic_error);
+    floor = two_rooms();
+    floor.segmentation.doors.clear();
+    for (const std::uint32_t id : {0U, 1U, kMaxRoomId + 1}) {
+        floor.segmentation.rooms[1].id = RoomId{id};
+        EXPECT_THROW(write_results(folder.path(), floor.map, floor.segmentation, {}),
+                     std::logic_error);
+    }
     EXPECT_THROW(write_results(folder.path(), {}, {}, {}), std::logic_error);
     EXPECT_TRUE(folder.names().empty());
 }
