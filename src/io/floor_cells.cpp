@@ -78,6 +78,9 @@ FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels) {
             const CellState state = map.states.values[from];
             if (labels.values[from] != 0) {
                 cells.ground.values[to] = labels.values[from];
+                // A room's label covers what stands in it, too: an obstacle is still to be seen.
+                if (state == CellState::occupied) cells.furniture.values[to] = kFurniture;
+                if (state == CellState::unknown) cells.furniture.values[to] = kFurnitureInside;
             } else if (state == CellState::occupied) {
                 cells.ground.values[to] = kWall;
             } else if (state == CellState::free) {

@@ -39,6 +39,18 @@ TEST(FloorCells, TakeWhatARoomEnclosesForFurniture) {
     EXPECT_EQ(sorted(test::drawn_floor(rows)), expected);
 }
 
+TEST(FloorCells, ShowWhatStandsWhereTheLabelsReachUnderIt) {
+    test::DrawnFloor floor = test::drawn_floor({"######", "#aaaa#", "#aaaa#", "######"});
+    floor.map.states.at({2, 2}) = CellState::occupied;
+    floor.map.states.at({3, 2}) = CellState::unknown;
+    // Against a wall, where no room encloses it.
+    floor.map.states.at({4, 1}) = CellState::occupied;
+    const Rows expected = {"######", "#aFIa#", "#aaaF#", "######"};
+    EXPECT_EQ(sorted(floor), expected);
+    const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
+    EXPECT_EQ(cells.ground.at({2, 2}), 1U) << "the room reaches under its furniture";
+}
+
 TEST(FloorCells, WhatTouchesTwoRoomsOrAWallIsAWall) {
     const Rows rows = {"#######", "#aa#bb#", "#aaabb#", "#aa#bb#", "#aaabb#", "#######"};
     EXPECT_EQ(sorted(test::drawn_floor(rows)), rows);
