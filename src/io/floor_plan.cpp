@@ -151,6 +151,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     const FloorCells cells = sort_floor_cells(map, segmentation.labels);
     FloorPlan plan;
     const Layout layout = set_page(cells.ground, plan);
+    plan.frame = cells.ground.box();
     plan.border_width = 1.6 * layout.unit;
     plan.door_width = 5.0 * layout.unit;
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
@@ -183,6 +184,35 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
         }
     }
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
+    return plan;
+}
+
+FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
+    const auto place = [&](Point& point) {
+        point = {point.x * factor + shift.x, point.y * factor + shift.y};
+    };
+    const auto place_text = [&](TextLine& line) {
+        line.size *= factor;
+        place(line.anchor);
+    };
+    plan.page_width = static_cast<std::int32_t>(std::ceil(plan.page_width * factor));
+    plan.page_height = static_cast<std::int32_t>(std::ceil(plan.page_height * factor));
+    place(plan.drawing_origin);
+    plan.pixels_per_half_cell *= factor;
+    plan.border_width *= factor;
+    plan.door_width *= factor;
+    for (DrawnDoor& door : plan.doors) {
+        place(door.from);
+        place(door.to);
+    }
+    for (RoomLabel& label : plan.labels) {
+        place_text(label.name);
+        if (label.area) place_text(*label.area);
+    }
+    place(plan.scale_bar.origin);
+    plan.scale_bar.length *= factor;
+    plan.scale_bar.height *= factor;
+    plan.scale_bar.text_size *= factor;
     return plan;
 }
 

@@ -94,6 +94,25 @@ TEST(Svg, HasAPathATooltipAndALabelForEachRoom) {
     EXPECT_LT(svg.size(), 6000U);
 }
 
+TEST(FloorPlan, CanBePlacedOnAnotherPage) {
+    const FloorPlan plan = plan_of(two_rooms());
+    EXPECT_EQ(plan.frame, (Box{{0, 0}, {109, 59}}));
+    const FloorPlan half = placed(plan, 0.5, {100.0, 7.0});
+    const auto expect_placed = [](const Point& at, const Point& from) {
+        EXPECT_NEAR(at.x, from.x / 2.0 + 100.0, 1e-9);
+        EXPECT_NEAR(at.y, from.y / 2.0 + 7.0, 1e-9);
+    };
+    expect_placed(half.to_page({40, 30}), plan.to_page({40, 30}));
+    expect_placed(half.doors[0].from, plan.doors[0].from);
+    expect_placed(half.doors[0].to, plan.doors[0].to);
+    expect_placed(half.labels[0].name.anchor, plan.labels[0].name.anchor);
+    expect_placed(half.labels[0].area.value().anchor, plan.labels[0].area.value().anchor);
+    expect_placed(half.scale_bar.origin, plan.scale_bar.origin);
+    EXPECT_EQ(half.labels[0].name.size, plan.labels[0].name.size / 2.0);
+    EXPECT_EQ(half.scale_bar.length, plan.scale_bar.length / 2.0);
+    EXPECT_EQ(half.door_width, plan.door_width / 2.0);
+}
+
 TEST(Svg, WritesRingsAsShortSteps) {
     const std::string svg = render_svg(plan_of(test::drawn_floor({"aab", "aab"})));
     EXPECT_NE(svg.find("d=\"M4 4v-4h-4v4z\""), std::string::npos) << svg;
