@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "io/floor_cells.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/room_text.hpp"
+#include "quadcut/map/clearance.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -127,6 +130,60 @@ private:
     double resolution_m_;
 };
 
+/// The ground without what furniture stands on, and of each room the point farthest from all
+/// obstacles, in cells.
+struct BareFloor {
+    Raster<std::uint32_t> ground;
+    std::vector<Point> inner_points;
+};
+
+BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms) {
+    BareFloor floor{cells.ground, std::vector<Point>(num_rooms)};
+    Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        std::uint32_t& ground = floor.ground.values[i];
+        if (cells.furniture.values[i] != 0) ground = kWall;
+        open.values[i] = ground > 0 && ground <= num_rooms ? 1 : 0;
+    }
+    const Raster<float> clearance = clearance_m(open, 1.0);
+    std::vector<float> most(num_rooms, 0.0F);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        if (open.values[i] == 0) continue;
+        const std::size_t room = floor.ground.values[i] - 1;
+        if (clearance.values[i] <= most[room]) continue;
+        most[room] = clearance.values[i];
+        const Cell cell = open.cell(i);
+        floor.inner_points[room] = {cell.x + 0.5, cell.y + 0.5};
+    }
+    return floor;
+}
+
+/// Beside the furniture where that does not make letters much smaller, on it where it does.
+void place_labels(const FloorCells& cells, const std::vector<Room>& rooms,
+                  const CellsFromMap& cells_from_map, const Layout& layout, FloorPlan& plan) {
+    constexpr double kWorthIt = 0.75;
+    const Typeface typeface;
+    // Of larger maps, a page shows no furniture that letters could stand on.
+    constexpr std::size_t kMostCells = std::size_t{1} << 25U;
+    std::optional<BareFloor> bare;
+    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size());
+    const double unit = layout.unit * letter_scale(rooms.size());
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name, plan.rooms[i].area,
+                       cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)};
+        const auto label = place_label(text, cells.ground, layout.scale, unit, typeface);
+        if (!label) continue;
+        std::optional<RoomLabel> beside;
+        if (bare) {
+            text.label_point = bare->inner_points[i];
+            beside = place_label(text, bare->ground, layout.scale, unit, typeface);
+        }
+        const bool worth_it = beside && beside->name.size >= kWorthIt * label->name.size &&
+                              (beside->area || !label->area);
+        plan.labels.push_back(worth_it ? *beside : *label);
+    }
+}
+
 }  // namespace
 
 std::array<Point, 8> ScaleBar::outline() const {
@@ -173,16 +230,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[index(door.b) - 1].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    const Typeface typeface;
-    const double letter_unit = layout.unit * letter_scale(segmentation.rooms.size());
-    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
-        const LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name,
-                             plan.rooms[i].area, cells_from_map(segmentation.rooms[i].label_point),
-                             cells_from_map(segmentation.rooms[i].centroid)};
-        if (auto label = place_label(text, cells.ground, layout.scale, letter_unit, typeface)) {
-            plan.labels.push_back(std::move(*label));
-        }
-    }
+    place_labels(cells, segmentation.rooms, cells_from_map, layout, plan);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
     return plan;
 }

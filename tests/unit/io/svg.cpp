@@ -94,6 +94,23 @@ TEST(Svg, HasAPathATooltipAndALabelForEachRoom) {
     EXPECT_LT(svg.size(), 6000U);
 }
 
+TEST(FloorPlan, LabelsStandBesideFurniture) {
+    test::DrawnFloor floor = test::drawn_floor(
+        {"##########", "#aaaaaaaa#", "#aaaaaaaa#", "#aaaaaaaa#", "##########"}, 20);
+    const FloorPlan empty = plan_of(floor);
+    const auto label_row = [](const FloorPlan& plan) {
+        return (plan.labels.at(0).name.anchor.y - plan.drawing_origin.y) /
+               (40.0 * plan.pixels_per_half_cell);
+    };
+    EXPECT_NEAR(label_row(empty), 2.5, 0.2);
+    // A table in the middle.
+    for (std::int32_t x = 60; x < 140; ++x) {
+        for (std::int32_t y = 40; y < 52; ++y) floor.map.states.at({x, y}) = CellState::occupied;
+    }
+    EXPECT_LT(label_row(plan_of(floor)), 2.2);
+    EXPECT_EQ(plan_of(floor).labels[0].name.size, empty.labels[0].name.size);
+}
+
 TEST(FloorPlan, CanBePlacedOnAnotherPage) {
     const FloorPlan plan = plan_of(two_rooms());
     EXPECT_EQ(plan.frame, (Box{{0, 0}, {109, 59}}));
