@@ -15,6 +15,8 @@ namespace {
 constexpr double kMarginMetres = 1.0;
 constexpr double kMaxFurnitureMetres = 4.0;
 constexpr double kMaxWallMetres = 0.5;
+/// How far labels may reach into a wall, or across its near face.
+constexpr double kRimMetres = 0.15;
 /// Bounds memory, whatever the resolution says.
 constexpr std::int32_t kMaxWallCells = 256;
 
@@ -78,6 +80,9 @@ FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels) {
             const CellState state = map.states.values[from];
             if (labels.values[from] != 0) {
                 cells.ground.values[to] = labels.values[from];
+                // A room's label covers what stands in it, too: an obstacle is still to be seen.
+                if (state == CellState::occupied) cells.furniture.values[to] = kFurniture;
+                if (state == CellState::unknown) cells.furniture.values[to] = kFurnitureInside;
             } else if (state == CellState::occupied) {
                 cells.ground.values[to] = kWall;
             } else if (state == CellState::free) {
@@ -89,6 +94,59 @@ FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels) {
 }
 
 bool is_room(std::uint32_t ground) { return ground > 0 && ground < kFirstNonRoom; }
+
+/// The cells of rooms that have only their own room around them, `margin_cells` far.
+Raster<std::uint8_t> find_inner_cells(const Raster<std::uint32_t>& ground,
+                                      std::int32_t margin_cells) {
+    Raster<std::uint8_t> mask(ground.origin, ground.width, ground.height);
+    const auto width = static_cast<std::size_t>(ground.width);
+    std::size_t place = 0;
+    for (std::int32_t y = 0; y < ground.height; ++y) {
+        for (std::int32_t x = 0; x < ground.width; ++x, ++place) {
+            const std::uint32_t room = ground.values[place];
+            const auto same = [&](std::size_t neighbour) {
+                return ground.values[neighbour] == room;
+            };
+            const bool within = x > 0 && y > 0 && x + 1 < ground.width && y + 1 < ground.height;
+            const bool inner = within && is_room(room) && same(place - 1) && same(place + 1) &&
+                               same(place - width) && same(place + width);
+            mask.values[place] = inner ? 1 : 0;
+        }
+    }
+    return find_deep_parts(mask, margin_cells);
+}
+
+/// Labels may reach over the face of a wall: what is not free along the rim of a room is taken from
+/// it, and so is what that cuts off. Further in, it is furniture.
+void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells) {
+    if (rim_cells < 1) return;
+    Raster<std::uint32_t>& ground = cells.ground;
+    const Raster<std::uint8_t> inner = find_inner_cells(ground, rim_cells - 1);
+    bool any = false;
+    for (std::size_t i = 0; i < ground.values.size(); ++i) {
+        if (inner.values[i] != 0 || cells.furniture.values[i] == 0) continue;
+        ground.values[i] = cells.furniture.values[i] == kFurniture ? kWall : 0;
+        cells.furniture.values[i] = 0;
+        any = true;
+    }
+    if (!any) return;
+    Raster<std::uint32_t> rooms = ground;
+    for (std::uint32_t& room : rooms.values) room = is_room(room) ? room : 0;
+    const CellRegions parts = number_connected(std::move(rooms));
+    std::vector<std::uint8_t> part_has_inner(parts.values.size() + 1);
+    std::vector<std::uint8_t> room_has_inner(kFirstNonRoom);
+    for (std::size_t i = 0; i < ground.values.size(); ++i) {
+        if (inner.values[i] == 0) continue;
+        part_has_inner[parts.numbers.values[i]] = 1;
+        if (is_room(ground.values[i])) room_has_inner[ground.values[i]] = 1;
+    }
+    for (std::size_t i = 0; i < ground.values.size(); ++i) {
+        const std::uint32_t part = parts.numbers.values[i];
+        if (part == 0 || part_has_inner[part] != 0) continue;
+        // A room that is all rim stays: it has nothing else to show.
+        if (room_has_inner[ground.values[i]] != 0) ground.values[i] = 0;
+    }
+}
 
 /// Finds patches of cells without a room that one room encloses, and makes furniture of them.
 class FurnitureFinder {
@@ -215,8 +273,14 @@ TalliedRegions tally_regions(const Raster<std::uint32_t>& ground, std::uint32_t 
     return tally_regions(ground, mask);
 }
 
-/// Unknown cells, and free ones that no room touches: thin parts are walls, patches of a moderate
-/// size are furniture, and the rest stays.
+/// Whether a region of the raster ends where the raster does: then more of it may be outside.
+bool meets_frame(const Bounds& bounds, const Raster<std::uint32_t>& ground) {
+    return bounds.low.x == 0 || bounds.low.y == 0 || bounds.high.x == ground.width - 1 ||
+           bounds.high.y == ground.height - 1;
+}
+
+/// Unknown cells, and free ones that nothing but walls touches: thin parts are walls, patches of a
+/// moderate size are furniture, and the rest stays.
 void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
                        std::int32_t max_furniture_cells) {
     Raster<std::uint32_t>& ground = cells.ground;
@@ -224,7 +288,8 @@ void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
     Raster<std::uint8_t> is_hidden(ground.origin, ground.width, ground.height);
     for (std::size_t i = 0; i < is_hidden.values.size(); ++i) {
         const std::uint32_t number = loose.numbers.values[i];
-        const bool shut_in = number > 0 && loose.tallies[number - 1].num_room_edges == 0;
+        const bool shut_in = number > 0 && loose.tallies[number - 1].num_room_edges == 0 &&
+                             !meets_frame(loose.tallies[number - 1].bounds, ground);
         is_hidden.values[i] = ground.values[i] == 0 || shut_in ? 1 : 0;
     }
     const Raster<std::uint8_t> thick = find_thick_parts(is_hidden, max_wall_cells + 1);
@@ -274,6 +339,7 @@ void fill_walls(Raster<std::uint32_t>& ground) {
 
 FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& labels) {
     FloorCells cells = classify(map, labels);
+    return_rims_to_walls(cells, to_cells(kRimMetres, map.resolution_m));
     const std::int32_t max_furniture_cells = to_cells(kMaxFurnitureMetres, map.resolution_m);
     FurnitureFinder(cells, max_furniture_cells).run();
     const std::int32_t max_wall_cells =

@@ -32,8 +32,9 @@ struct FloorCells {
 };
 
 /// Sorts the cells of the part of the map that has rooms, and a margin around it (all that is known
-/// if there are no rooms). Furniture: unlabelled cells that one room encloses on all sides, and
-/// free ones that no room can reach, up to 4 m long. Walls: up to 0.5 m thick; of
+/// if there are no rooms). Furniture: what is not free within a room's labels, unlabelled cells
+/// that one room encloses on all sides, and free ones that no room can reach, up to 4 m long.
+/// Walls: up to 0.5 m thick; what is occupied within 0.15 m of a room's border, labelled or not; of
 /// occupied blocks of a metre and more the outer 0.25 m. O(cells).
 /// @pre labels and map.states cover the same rectangle, which is not empty.
 [[nodiscard]] FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& labels);

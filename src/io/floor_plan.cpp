@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "io/floor_cells.hpp"
@@ -13,6 +15,7 @@
 #include "io/outline.hpp"
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
+#include "quadcut/map/clearance.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -129,6 +132,60 @@ private:
     double resolution_m_;
 };
 
+/// The ground without what furniture stands on, and of each room the point farthest from all
+/// obstacles, in cells.
+struct BareFloor {
+    Raster<std::uint32_t> ground;
+    std::vector<Point> inner_points;
+};
+
+BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms) {
+    BareFloor floor{cells.ground, std::vector<Point>(num_rooms)};
+    Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        std::uint32_t& ground = floor.ground.values[i];
+        if (cells.furniture.values[i] != 0) ground = kWall;
+        open.values[i] = ground > 0 && ground <= num_rooms ? 1 : 0;
+    }
+    const Raster<float> clearance = clearance_m(open, 1.0);
+    std::vector<float> most(num_rooms, 0.0F);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        if (open.values[i] == 0) continue;
+        const std::size_t room = floor.ground.values[i] - 1;
+        if (clearance.values[i] <= most[room]) continue;
+        most[room] = clearance.values[i];
+        const Cell cell = open.cell(i);
+        floor.inner_points[room] = {cell.x + 0.5, cell.y + 0.5};
+    }
+    return floor;
+}
+
+/// Beside the furniture where that does not make letters much smaller, on it where it does.
+void place_labels(const FloorCells& cells, const std::vector<Room>& rooms,
+                  const CellsFromMap& cells_from_map, const Layout& layout, FloorPlan& plan) {
+    constexpr double kWorthIt = 0.75;
+    const Typeface typeface;
+    // Of larger maps, a page shows no furniture that letters could stand on.
+    constexpr std::size_t kMostCells = std::size_t{1} << 25U;
+    std::optional<BareFloor> bare;
+    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size());
+    const double unit = layout.unit * letter_scale(rooms.size());
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name, plan.rooms[i].area,
+                       cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)};
+        const auto label = place_label(text, cells.ground, layout.scale, unit, typeface);
+        if (!label) continue;
+        std::optional<RoomLabel> beside;
+        if (bare) {
+            text.label_point = bare->inner_points[i];
+            beside = place_label(text, bare->ground, layout.scale, unit, typeface);
+        }
+        const bool worth_it = beside && beside->name.size >= kWorthIt * label->name.size &&
+                              (beside->area || !label->area);
+        plan.labels.push_back(worth_it ? *beside : *label);
+    }
+}
+
 }  // namespace
 
 std::array<Point, 8> ScaleBar::outline() const {
@@ -153,6 +210,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     const FloorCells cells = sort_floor_cells(map, segmentation.labels);
     FloorPlan plan;
     const Layout layout = set_page(cells.ground, plan);
+    plan.frame = cells.ground.box();
     plan.border_width = 1.6 * layout.unit;
     plan.door_width = 5.0 * layout.unit;
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
@@ -175,17 +233,37 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    const Typeface typeface;
-    const double letter_unit = layout.unit * letter_scale(segmentation.rooms.size());
-    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
-        const LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name,
-                             plan.rooms[i].area, cells_from_map(segmentation.rooms[i].label_point),
-                             cells_from_map(segmentation.rooms[i].centroid)};
-        if (auto label = place_label(text, cells.ground, layout.scale, letter_unit, typeface)) {
-            plan.labels.push_back(std::move(*label));
-        }
-    }
+    place_labels(cells, segmentation.rooms, cells_from_map, layout, plan);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
+    return plan;
+}
+
+FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
+    const auto place = [&](Point& point) {
+        point = {point.x * factor + shift.x, point.y * factor + shift.y};
+    };
+    const auto place_text = [&](TextLine& line) {
+        line.size *= factor;
+        place(line.anchor);
+    };
+    plan.page_width = static_cast<std::int32_t>(std::ceil(plan.page_width * factor));
+    plan.page_height = static_cast<std::int32_t>(std::ceil(plan.page_height * factor));
+    place(plan.drawing_origin);
+    plan.pixels_per_half_cell *= factor;
+    plan.border_width *= factor;
+    plan.door_width *= factor;
+    for (DrawnDoor& door : plan.doors) {
+        place(door.from);
+        place(door.to);
+    }
+    for (RoomLabel& label : plan.labels) {
+        place_text(label.name);
+        if (label.area) place_text(*label.area);
+    }
+    place(plan.scale_bar.origin);
+    plan.scale_bar.length *= factor;
+    plan.scale_bar.height *= factor;
+    plan.scale_bar.text_size *= factor;
     return plan;
 }
 

@@ -59,6 +59,8 @@ struct FloorPlan {
     /// Where the upper left corner of the drawing is on the page, and the size of half a cell.
     Point drawing_origin;
     double pixels_per_half_cell = 1.0;
+    /// The cells that are drawn, of the map's.
+    Box frame;
     /// Line widths on this page, pixels.
     double border_width = 1.0;
     double door_width = 1.0;
@@ -103,5 +105,9 @@ inline constexpr double kHaloOpacity = 0.8;
 /// @pre segmentation.labels and map.states cover the same rectangle, which is not empty.
 [[nodiscard]] FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentation,
                                            std::span<const Rgb> colors);
+
+/// The plan `factor` times as large, and then moved by `shift` pixels: for pages that hold several.
+/// Its page becomes what it needs from its own upper left corner.
+[[nodiscard]] FloorPlan placed(FloorPlan plan, double factor, const Point& shift);
 
 }  // namespace quadcut::io

@@ -62,18 +62,6 @@ std::vector<std::vector<Point>> set_text(const TextLine& line, TextDirection dir
     return outlines;
 }
 
-void draw_text(Canvas& canvas, const TextLine& line, TextDirection direction, Rgb ink, Rgb halo,
-               const Typeface& typeface) {
-    Shape around;
-    Shape letters;
-    for (const std::vector<Point>& outline : set_text(line, direction, typeface)) {
-        around.add_closed_line(outline, kHalo * line.size);
-        letters.add_polygon(outline);
-    }
-    canvas.fill(around, halo, kHaloOpacity);
-    canvas.fill(letters, ink);
-}
-
 void draw_labels(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) {
     for (const RoomLabel& label : plan.labels) {
         const Rgb room = plan.rooms[label.room - 1].color;
@@ -97,8 +85,19 @@ void draw_scale_bar(Canvas& canvas, const ScaleBar& bar, const Typeface& typefac
 
 }  // namespace
 
-std::string render_png(const FloorPlan& plan) {
-    Canvas canvas(plan.page_width, plan.page_height, kPaper);
+void draw_text(Canvas& canvas, const TextLine& line, TextDirection direction, Rgb ink, Rgb halo,
+               const Typeface& typeface) {
+    Shape around;
+    Shape letters;
+    for (const std::vector<Point>& outline : set_text(line, direction, typeface)) {
+        around.add_closed_line(outline, kHalo * line.size);
+        letters.add_polygon(outline);
+    }
+    canvas.fill(around, halo, kHaloOpacity);
+    canvas.fill(letters, ink);
+}
+
+void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) {
     fill_rings(canvas, plan, plan.loose_free, kLooseFreeInk);
     for (const DrawnRoom& room : plan.rooms) draw_room(canvas, plan, room);
     fill_rings(canvas, plan, plan.wall_cores, kWallCoreInk);
@@ -106,9 +105,13 @@ std::string render_png(const FloorPlan& plan) {
     fill_rings(canvas, plan, plan.furniture, kFurnitureInk);
     fill_rings(canvas, plan, plan.walls, kWallInk);
     draw_doors(canvas, plan);
-    const Typeface typeface;
     draw_labels(canvas, plan, typeface);
-    draw_scale_bar(canvas, plan.scale_bar, typeface);
+    if (plan.scale_bar.length > 0.0) draw_scale_bar(canvas, plan.scale_bar, typeface);
+}
+
+std::string render_png(const FloorPlan& plan) {
+    Canvas canvas(plan.page_width, plan.page_height, kPaper);
+    draw_plan(canvas, plan, Typeface());
     return canvas.encode_png();
 }
 

@@ -4,11 +4,20 @@
 
 #include <string>
 
+#include "io/canvas.hpp"
 #include "io/floor_plan.hpp"
+#include "io/typeface.hpp"
 
 namespace quadcut::io {
 
 /// The plan as an 8-bit RGB PNG. About 30 ns a pixel of the page.
 [[nodiscard]] std::string render_png(const FloorPlan& plan);
+
+/// Draws the plan where it says it is; what is there already stays where the plan has nothing.
+void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface);
+
+/// A line of text with a halo that keeps it legible on what is below.
+void draw_text(Canvas& canvas, const TextLine& line, TextDirection direction, Rgb ink, Rgb halo,
+               const Typeface& typeface);
 
 }  // namespace quadcut::io

@@ -88,7 +88,7 @@ double iou(const Overlap& overlap, std::size_t row, std::size_t column) {
     return shared / std::max(overlap.row_sums[row] + overlap.column_sums[column] - shared, 1.0);
 }
 
-std::vector<Assignment> match_rooms(const Overlap& overlap) {
+std::vector<Assignment> assign_rooms(const Overlap& overlap) {
     std::vector<double> costs;
     costs.reserve(overlap.shared.size());
     for (std::size_t row = 0; row < overlap.num_rows; ++row) {
@@ -119,7 +119,7 @@ void score_matches(const Overlap& overlap, RoomScore& score) {
     double matched_iou = 0.0;
     double correlation = 0.0;
     std::size_t num_correlated = 0;
-    for (const Assignment& match : match_rooms(overlap)) {
+    for (const Assignment& match : assign_rooms(overlap)) {
         const double value = iou(overlap, match.row, match.column);
         matched_iou += value;
         if (value > kFound) {
@@ -217,6 +217,22 @@ RoomScore score_rooms(const LabelImage& predicted, const LabelImage& truth,
     score_partitions(overlap, score);
     score.cover = find_cover(predicted, truth, free_mask);
     return score;
+}
+
+std::vector<RoomMatch> match_rooms(const LabelImage& predicted, const LabelImage& truth) {
+    check_sizes(predicted, truth, std::nullopt);
+    std::vector<RoomMatch> matches;
+    if (predicted.num_regions == 0 || truth.num_regions == 0) return matches;
+    const Overlap overlap = count_overlap(predicted, truth);
+    for (const Assignment& match : assign_rooms(overlap)) {
+        const double value = iou(overlap, match.row, match.column);
+        if (value == 0.0) continue;
+        matches.push_back({static_cast<std::uint32_t>(match.row + 1),
+                           static_cast<std::uint32_t>(match.column + 1), value});
+    }
+    std::sort(matches.begin(), matches.end(),
+              [](const RoomMatch& a, const RoomMatch& b) { return a.predicted < b.predicted; });
+    return matches;
 }
 
 std::string to_json(const RoomScore& score) {

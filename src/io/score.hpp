@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/label_image.hpp"
 
@@ -44,6 +45,20 @@ struct RoomScore {
 /// there are too many regions to compare (rooms * truth above 2^24).
 [[nodiscard]] RoomScore score_rooms(const LabelImage& predicted, const LabelImage& truth,
                                     const std::optional<FreeMask>& free_mask = std::nullopt);
+
+/// A predicted and a true room that belong together; numbers are those of the images.
+struct RoomMatch {
+    std::uint32_t predicted = 0;
+    std::uint32_t truth = 0;
+    /// Intersection over union, over the pixels that have a label on both sides. Above 0.
+    double iou = 0.0;
+    friend bool operator==(const RoomMatch&, const RoomMatch&) = default;
+};
+
+/// The one-to-one assignment with the largest sum of IoU, which the score rests on; ascending by
+/// predicted room. Cost and errors as score_rooms.
+[[nodiscard]] std::vector<RoomMatch> match_rooms(const LabelImage& predicted,
+                                                 const LabelImage& truth);
 
 /// One number a line, in the order above, every digit that is needed to read the same value back.
 [[nodiscard]] std::string to_json(const RoomScore& score);

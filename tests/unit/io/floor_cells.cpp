@@ -39,6 +39,30 @@ TEST(FloorCells, TakeWhatARoomEnclosesForFurniture) {
     EXPECT_EQ(sorted(test::drawn_floor(rows)), expected);
 }
 
+TEST(FloorCells, ShowWhatStandsWhereTheLabelsReachUnderIt) {
+    test::DrawnFloor floor = test::drawn_floor({"######", "#aaaa#", "#aaaa#", "######"}, 1, 0.25);
+    floor.map.states.at({2, 2}) = CellState::occupied;
+    floor.map.states.at({3, 2}) = CellState::unknown;
+    floor.map.states.at({4, 1}) = CellState::occupied;
+    const Rows expected = {"######", "#aFIa#", "#aaaF#", "######"};
+    EXPECT_EQ(sorted(floor), expected);
+    const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
+    EXPECT_EQ(cells.ground.at({2, 2}), 1U) << "the room reaches under its furniture";
+}
+
+TEST(FloorCells, OnTheRimOfARoomThereAreWalls) {
+    Rows rows(22, "#aaaaaaaaaaaaaaaaaaaa#");
+    rows.front() = rows.back() = std::string(22, '#');
+    test::DrawnFloor floor = test::drawn_floor(rows);
+    for (std::int32_t y = 1; y <= 20; ++y) {
+        floor.map.states.at({2, y}) = CellState::occupied;   // The face of the wall.
+        floor.map.states.at({10, y}) = CellState::occupied;  // A counter.
+    }
+    const Rows drawn = sorted(floor);
+    EXPECT_EQ(drawn[10], "###aaaaaaaFaaaaaaaaaa#") << "what the face cuts off is wall, too";
+    EXPECT_EQ(drawn[1], "###aaaaaaa#aaaaaaaaaa#");
+}
+
 TEST(FloorCells, WhatTouchesTwoRoomsOrAWallIsAWall) {
     const Rows rows = {"#######", "#aa#bb#", "#aaabb#", "#aa#bb#", "#aaabb#", "#######"};
     EXPECT_EQ(sorted(test::drawn_floor(rows)), rows);
@@ -64,6 +88,12 @@ TEST(FloorCells, FillTheInsideOfAWall) {
 TEST(FloorCells, ThinUnknownBetweenRoomsIsMarked) {
     EXPECT_EQ(sorted(test::drawn_floor({"aaaa bbbb", "aaaa bbbb"})),
               (Rows{"aaaa+bbbb", "aaaa+bbbb"}));
+}
+
+TEST(FloorCells, FreeGroundOutsideIsNoWallHoweverNarrow) {
+    // The ground reaches into a gap between two walls, and on beyond the frame.
+    const Rows rows = {"..........", "..........", "..###.###.", "..#a#.#b#.", "..###.###."};
+    EXPECT_EQ(sorted(test::drawn_floor(rows)), rows);
 }
 
 TEST(FloorCells, HollowOutSolidBlocks) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "quadcut/base/error.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
@@ -109,6 +110,18 @@ TEST(RoomScore, AsJsonHasTheKeysInOrder) {
               " \"truth\": 0\n}");
     score.miou = 1.0 / 3.0;
     EXPECT_EQ(nlohmann::json::parse(to_json(score))["miou"].get<double>(), 1.0 / 3.0);
+}
+
+TEST(RoomMatch, IsOneToOneAndTellsTheIou) {
+    // The second true room is cut in two, of which one can match it.
+    const LabelImage truth = drawn({"aabbb", "aabbb"});
+    const LabelImage predicted = drawn({"xxyyz", "xxyyz"});
+    const std::vector<RoomMatch> matches = match_rooms(predicted, truth);
+    ASSERT_EQ(matches.size(), 2U);
+    EXPECT_EQ(matches[0], (RoomMatch{1, 1, 1.0}));
+    EXPECT_EQ(matches[1], (RoomMatch{2, 2, 2.0 / 3.0}));
+    EXPECT_TRUE(match_rooms(drawn({"....."}), drawn({"aabbb"})).empty());
+    EXPECT_THROW((void)match_rooms(predicted, drawn({"a"})), InputError);
 }
 
 }  // namespace

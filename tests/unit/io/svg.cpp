@@ -94,6 +94,42 @@ TEST(Svg, HasAPathATooltipAndALabelForEachRoom) {
     EXPECT_LT(svg.size(), 6000U);
 }
 
+TEST(FloorPlan, LabelsStandBesideFurniture) {
+    test::DrawnFloor floor = test::drawn_floor(
+        {"##########", "#aaaaaaaa#", "#aaaaaaaa#", "#aaaaaaaa#", "##########"}, 20);
+    const FloorPlan empty = plan_of(floor);
+    const auto label_row = [](const FloorPlan& plan) {
+        return (plan.labels.at(0).name.anchor.y - plan.drawing_origin.y) /
+               (40.0 * plan.pixels_per_half_cell);
+    };
+    EXPECT_NEAR(label_row(empty), 2.5, 0.2);
+    // A table in the middle.
+    for (std::int32_t x = 60; x < 140; ++x) {
+        for (std::int32_t y = 40; y < 52; ++y) floor.map.states.at({x, y}) = CellState::occupied;
+    }
+    EXPECT_LT(label_row(plan_of(floor)), 2.2);
+    EXPECT_EQ(plan_of(floor).labels[0].name.size, empty.labels[0].name.size);
+}
+
+TEST(FloorPlan, CanBePlacedOnAnotherPage) {
+    const FloorPlan plan = plan_of(two_rooms());
+    EXPECT_EQ(plan.frame, (Box{{0, 0}, {109, 59}}));
+    const FloorPlan half = placed(plan, 0.5, {100.0, 7.0});
+    const auto expect_placed = [](const Point& at, const Point& from) {
+        EXPECT_NEAR(at.x, from.x / 2.0 + 100.0, 1e-9);
+        EXPECT_NEAR(at.y, from.y / 2.0 + 7.0, 1e-9);
+    };
+    expect_placed(half.to_page({40, 30}), plan.to_page({40, 30}));
+    expect_placed(half.doors[0].from, plan.doors[0].from);
+    expect_placed(half.doors[0].to, plan.doors[0].to);
+    expect_placed(half.labels[0].name.anchor, plan.labels[0].name.anchor);
+    expect_placed(half.labels[0].area.value().anchor, plan.labels[0].area.value().anchor);
+    expect_placed(half.scale_bar.origin, plan.scale_bar.origin);
+    EXPECT_EQ(half.labels[0].name.size, plan.labels[0].name.size / 2.0);
+    EXPECT_EQ(half.scale_bar.length, plan.scale_bar.length / 2.0);
+    EXPECT_EQ(half.door_width, plan.door_width / 2.0);
+}
+
 TEST(Svg, WritesRingsAsShortSteps) {
     const std::string svg = render_svg(plan_of(test::drawn_floor({"aab", "aab"})));
     EXPECT_NE(svg.find("d=\"M4 4v-4h-4v4z\""), std::string::npos) << svg;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bench/gallery/exhibit.hpp"
+#include "bench/gallery/index_page.hpp"
+#include "io/canvas.hpp"
+#include "io/floor_plan.hpp"
+
+namespace quadcut::gallery {
+
+/// Writes the picture of a comparison with its caption to `output / image`.
+[[nodiscard]] Entry write_pair(const Exhibit& exhibit, const std::string& note,
+                               const std::filesystem::path& output, const std::string& image);
+
+/// Writes the floor plan of a result that nothing is known to compare with.
+[[nodiscard]] Entry write_alone(const std::string& name, const std::string& note,
+                                const GridMap& map, const Segmentation& rooms,
+                                const std::filesystem::path& output, const std::string& image);
+
+/// The result's plan with names and doors, at most `width` x `height` pixels.
+[[nodiscard]] io::FloorPlan plan_within(const GridMap& map, const Segmentation& rooms, double width,
+                                        double height);
+
+/// Writes a PNG, and makes its folder if need be.
+void write_canvas(const io::Canvas& canvas, const std::filesystem::path& path);
+
+}  // namespace quadcut::gallery

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+
+#include "bench/gallery/comparison.hpp"
+#include "io/label_image.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut::gallery {
+
+/// A map with rooms that are numbered like the regions of a comparison; of a room, only its id and
+/// kind are filled in.
+struct Side {
+    GridMap map;
+    Segmentation rooms;
+};
+
+/// Truth and result on the same cells.
+struct Exhibit {
+    std::string name;
+    Side truth;
+    Side result;
+    Comparison comparison;
+};
+
+/// Labels as scores want them: row 0 at the top, numbered densely, without specks.
+[[nodiscard]] io::LabelImage as_label_image(const Raster<std::uint16_t>& labels);
+
+/// @pre all four have the same cells. Throws InputError when they differ in size.
+[[nodiscard]] Exhibit make_exhibit(std::string name, const GridMap& truth_map,
+                                   const io::LabelImage& truth, const GridMap& result_map,
+                                   const Segmentation& result);
+
+/// What a map and its rooms have at the centres of the cells of `frame`; unknown and 0 beyond.
+/// Doors and rooms stay as they are. O(cells of the frame).
+[[nodiscard]] Side resampled(const GridMap& frame, const GridMap& map, const Segmentation& rooms);
+
+}  // namespace quadcut::gallery

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <vector>
+
+#include "bench/gallery/exhibit.hpp"
+#include "io/canvas.hpp"
+#include "io/floor_plan.hpp"
+#include "io/typeface.hpp"
+
+namespace quadcut::gallery {
+
+/// Text from `left` on along the base line at `left.y`.
+void draw_caption(io::Canvas& canvas, const std::string& text, const Point& left, double size,
+                  io::Rgb ink, const io::Typeface& typeface);
+
+/// Truth at the left, result at the right, on the same scale. Rooms that were found have the same
+/// colour on both sides; the others are white, hatched in red, with a word that says what is wrong.
+/// The borders of the truth run over the result as thin dark lines.
+class PairPicture {
+public:
+    explicit PairPicture(const Exhibit& exhibit);
+
+    /// The most pixels a cell with which both fit side by side into a rectangle.
+    [[nodiscard]] double pixels_per_cell(double width, double height) const;
+    /// Of one of the two, pixels.
+    [[nodiscard]] double pane_width(double pixels_per_cell) const;
+    [[nodiscard]] double pane_height(double pixels_per_cell) const;
+
+    /// Draws both from `origin`, the upper left corner, on.
+    void draw(io::Canvas& canvas, const Point& origin, double pixels_per_cell,
+              const io::Typeface& typeface) const;
+
+    /// Between the two, pixels.
+    static constexpr double kGap = 24.0;
+
+private:
+    /// A plan, and a word for each of its rooms that is wrong.
+    struct Pane {
+        io::FloorPlan plan;
+        std::vector<io::LabelText> errors;
+        Raster<std::uint32_t> ground;
+    };
+    [[nodiscard]] static Pane make_pane(const Side& side, const std::vector<io::Rgb>& colors,
+                                        const std::vector<std::string>& words);
+    [[nodiscard]] io::FloorPlan plan_at(const Pane& pane, const Point& origin,
+                                        double pixels_per_cell) const;
+    void draw_errors(io::Canvas& canvas, const Pane& pane, const io::FloorPlan& plan,
+                     const Point& origin, double pixels_per_cell,
+                     const io::Typeface& typeface) const;
+
+    Pane truth_;
+    Pane result_;
+    Box frame_;
+};
+
+}  // namespace quadcut::gallery
