@@ -227,6 +227,7 @@ void add_simulated(int num_buildings, Report& report) {
         options.seed = static_cast<std::uint64_t>(1000 + i);
         options.num_rooms = 8 + i * 7 % 40;
         options.furniture = 0.01 * (i * 37 % 101);
+        if (i % 2 == 1) options.yaw_rad = 0.01 * (i * 53 % 157);
         const sim::Building building = sim::generate_building(options);
         const std::string name = "seed_" + std::to_string(options.seed);
         report.add(name, name, "simulated",

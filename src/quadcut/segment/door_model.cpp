@@ -33,7 +33,7 @@ const std::array<std::string_view, kNumDoorCues>& door_cue_names() {
         "narrower_spread_5", "wider_spread_5",
         "narrower_region_m2", "wider_region_m2", "narrower_region_peak", "wider_region_peak",
         "narrower_elongation", "wider_elongation", "narrower_openings", "wider_openings",
-        "less_line_m", "more_line_m", "less_line_share", "more_line_share"};
+        "less_line_m", "more_line_m"};
     return kNames;
 }
 
@@ -80,9 +80,7 @@ std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing) {
             static_cast<float>(narrower.num_openings),
             static_cast<float>(wider.num_openings),
             static_cast<float>(opening.line_of_walls_m[0]),
-            static_cast<float>(opening.line_of_walls_m[1]),
-            static_cast<float>(opening.line_share[0]),
-            static_cast<float>(opening.line_share[1])};
+            static_cast<float>(opening.line_of_walls_m[1])};
 }
 
 double door_log_odds(const Narrowing& narrowing) {

@@ -10,7 +10,7 @@
 
 namespace quadcut {
 
-inline constexpr std::size_t kNumDoorCues = 41;
+inline constexpr std::size_t kNumDoorCues = 39;
 
 /// What the door model looks at, in the order of door_cue_names(). Ratios of lengths and of areas
 /// to the opening are logarithms.

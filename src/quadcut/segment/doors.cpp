@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "quadcut/segment/door_model.hpp"
+#include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
 namespace {
@@ -83,13 +83,11 @@ Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& 
     return widest;
 }
 
-/// The point of the obstacle cell `jamb` that faces the opening, metres in the map frame.
-Point jamb_point(Cell jamb, Cell other, double resolution_m, const Pose& map_from_image) {
-    const double dx = other.x - jamb.x;
-    const double dy = other.y - jamb.y;
-    const double length = std::max(1.0, std::hypot(dx, dy));
-    return transform(map_from_image, {(jamb.x + 0.5 + 0.5 * dx / length) * resolution_m,
-                                      (jamb.y + 0.5 + 0.5 * dy / length) * resolution_m});
+/// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies on
+/// average there, not on the face that is turned to the opening.
+Point jamb_point(Cell jamb, double resolution_m, const Pose& map_from_image) {
+    return transform(map_from_image,
+                     {(jamb.x + 0.5) * resolution_m, (jamb.y + 0.5) * resolution_m});
 }
 
 /// Without jambs on both sides the ends of the contact stand for them.
@@ -112,24 +110,26 @@ std::array<Cell, 2> ends_of(const std::vector<Contact>& opening) {
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
                              const Raster<float>& clearance_m, double resolution_m,
                              const Pose& map_from_image, double min_width_m) {
-    std::vector<std::uint32_t> own(num_regions + 1);
-    std::iota(own.begin(), own.end(), 0U);
-    const RegionsView regions{labels, own};
-    NarrowingGauge gauge(clearance_m, resolution_m);
+    RegionGraph regions(labels, num_regions, clearance_m, resolution_m);
     std::vector<Door> doors;
     for (const auto& [pair, contacts] : find_contacts(labels)) {
         for (const auto& opening : split_into_openings(contacts)) {
             const Saddle saddle = widest_contact(opening, clearance_m);
             if (saddle.clearance_m <= 0.0F) continue;
-            const Narrowing narrowing = gauge.measure(saddle, regions);
+            const Narrowing narrowing = regions.measure_at(saddle, pair.first, pair.second);
             const std::array<Cell, 2> jambs =
                 narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening);
             Door door;
             door.a = RoomId{pair.first};
             door.b = RoomId{pair.second};
-            door.jamb_1 = jamb_point(jambs[0], jambs[1], resolution_m, map_from_image);
-            door.jamb_2 = jamb_point(jambs[1], jambs[0], resolution_m, map_from_image);
+            door.jamb_1 = jamb_point(jambs[0], resolution_m, map_from_image);
+            door.jamb_2 = jamb_point(jambs[1], resolution_m, map_from_image);
             door.width_m = distance(door.jamb_1, door.jamb_2);
+            // The saddle's cell a is in the region with the smaller label.
+            const double narrower_m = 2.0 * narrowing.narrower.peak_m.back();
+            const double wider_m = 2.0 * narrowing.wider.peak_m.back();
+            door.room_a_width_m = narrowing.is_a_narrower ? narrower_m : wider_m;
+            door.room_b_width_m = narrowing.is_a_narrower ? wider_m : narrower_m;
             door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
             if (door.width_m >= min_width_m) doors.push_back(door);
         }

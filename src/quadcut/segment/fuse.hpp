@@ -3,34 +3,55 @@
 #pragma once
 
 #include <cstdint>
+#include <queue>
+#include <tuple>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
-
-struct FusedRegions {
-    /// 1 .. count, 0 = none.
-    Raster<std::uint32_t> labels;
-    std::uint32_t count = 0;
-};
-
-struct FuseOptions {
-    /// Cuts with lower log-odds of being a door are fused.
-    double min_log_odds = 0.0;
-    /// Wider openings separate nothing, m.
-    double max_width_m = 4.0;
-    /// Regions smaller than this join a neighbour through their widest saddle, m^2.
-    double min_area_m2 = 1.5;
-};
 
 /// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many); 0 for
 /// the default of 0.5.
 [[nodiscard]] double fuse_threshold(double granularity);
 
-/// Joins pieces (labels 1 .. count) into rooms: the least door-like cut goes first, and what is
-/// joined is measured anew, until every cut that is left looks like a door.
-[[nodiscard]] FusedRegions fuse(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                                const Raster<float>& clearance_m, double resolution_m,
-                                const FuseOptions& options = {});
+/// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
+class Fuser {
+public:
+    /// Openings wider than `max_width_m` separate nothing. The regions must outlive the fuser, and
+    /// nothing else may join them while it is in use.
+    Fuser(RegionGraph& regions, double max_width_m);
+
+    /// Joins until every cut that is left has at least these log-odds of being a door. To stop
+    /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
+    void fuse_below(double min_log_odds);
+
+private:
+    /// A saddle with the numbers of joins that its two regions had seen when it was measured.
+    struct Candidate {
+        double log_odds = 0.0;
+        std::uint32_t a = 0;
+        std::uint32_t b = 0;
+        std::uint32_t version_a = 0;
+        std::uint32_t version_b = 0;
+        /// Lowest first; ties by region, so that the order is the same everywhere.
+        friend bool operator<(const Candidate& p, const Candidate& q) {
+            return std::tie(p.log_odds, p.a, p.b) > std::tie(q.log_odds, q.a, q.b);
+        }
+    };
+
+    void push(std::uint32_t a, std::uint32_t b);
+
+    RegionGraph& regions_;
+    double max_width_m_;
+    std::priority_queue<Candidate> queue_;
+};
+
+/// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
+/// saddle, smallest first. What has no neighbour stays.
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m);
+
+/// Each piece's cells get the number of its region.
+void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels);
 
 }  // namespace quadcut

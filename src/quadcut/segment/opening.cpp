@@ -106,13 +106,8 @@ WallRun walk_along_wall(const Surroundings& around, Cell jamb, const Direction& 
 
 /// The surfaces of walls in line with an opening, wherever they are behind a jamb: rows of columns
 /// and of partitions are what an opening is part of. A wall may be a cell off the line.
-struct LineOfWalls {
+double wall_in_line_m(const Surroundings& around, Cell jamb, const Direction& along) {
     double length_m = 0.0;
-    double last_m = 0.0;
-};
-
-LineOfWalls look_along_line(const Surroundings& around, Cell jamb, const Direction& along) {
-    LineOfWalls line;
     const Direction left{-along.y, along.x};
     const Direction right{along.y, -along.x};
     for (double t = 0.0; t <= kLineM / around.resolution_m; t += 1.0) {
@@ -121,16 +116,11 @@ LineOfWalls look_along_line(const Surroundings& around, Cell jamb, const Directi
                            jamb.y + 0.5 + t * along.y + off * left.y};
             if (around.is_open(at)) continue;
             if (!around.is_open_beside(at, left) && !around.is_open_beside(at, right)) continue;
-            line.length_m += around.resolution_m;
-            line.last_m = (t + 1.0) * around.resolution_m;
+            length_m += around.resolution_m;
             break;
         }
     }
-    return line;
-}
-
-double share_of(const LineOfWalls& line) {
-    return line.last_m > 0.0 ? line.length_m / line.last_m : 0.0;
+    return length_m;
 }
 
 std::array<double, 2> sorted(double p, double q) { return {std::min(p, q), std::max(p, q)}; }
@@ -179,10 +169,8 @@ Opening measure_opening(const Raster<float>& clearance_m, double resolution_m,
     out.thin_wall_m = sorted(start.both_m, end.both_m);
     out.flush_wall_m =
         sorted(std::min(end.left_m, start.right_m), std::min(end.right_m, start.left_m));
-    const LineOfWalls line_end = look_along_line(around, out.jambs[1], out.along);
-    const LineOfWalls line_start = look_along_line(around, out.jambs[0], back);
-    out.line_of_walls_m = sorted(line_start.length_m, line_end.length_m);
-    out.line_share = sorted(share_of(line_start), share_of(line_end));
+    out.line_of_walls_m = sorted(wall_in_line_m(around, out.jambs[0], back),
+                                 wall_in_line_m(around, out.jambs[1], out.along));
     for (std::size_t side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1.0 : -1.0;
         const Direction aside{-sign * out.along.y, sign * out.along.x};

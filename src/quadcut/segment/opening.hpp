@@ -40,9 +40,8 @@ struct Opening {
     /// most 0.6 m. Smaller one first.
     std::array<double, 2> flush_wall_m{};
     /// In line with the opening, up to 6 m behind each jamb: metres of wall surface, also beyond
-    /// gaps; and the share of it that is wall up to the last of it. Smaller one first.
+    /// gaps. Smaller one first.
     std::array<double, 2> line_of_walls_m{};
-    std::array<double, 2> line_share{};
     /// How far the free space reaches out sideways beyond the jambs, as the mean of the first metre
     /// on that side of the opening: 0 where side walls go on from the jambs; at most 1.5 m. By
     /// side, the one with the larger minimum first; then by jamb, smaller one first.

@@ -28,6 +28,10 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.max_furniture", "m^2", 0.0, 100.0,
                       "isolated obstacles below this size do not count when widths are measured",
                       "", &rooms.max_furniture_m2});
+    fields.push_back({"rooms.pieces", "", 0, 0,
+                      "what is fused into rooms: spectral pieces snapped to basins of the "
+                      "clearance, or the basins as they are",
+                      "", choice(rooms.pieces, {"spectral", "basins"})});
     fields.push_back({"rooms.max_eigenvalue", "1/m^2", 0.0, 100.0,
                       "a piece of the over-cut is cut again while its second eigenvalue is smaller",
                       "", &rooms.max_eigenvalue_per_m2});

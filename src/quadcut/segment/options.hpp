@@ -16,6 +16,10 @@ namespace quadcut {
 /// `rooms`: rooms as people see them. `paper`: the method as published.
 enum class Preset : std::uint8_t { rooms, paper };
 
+/// What is fused into rooms: the pieces of the spectral over-cut, snapped to basins of the
+/// clearance, or the basins as they are.
+enum class PieceSource : std::uint8_t { spectral, basins };
+
 /// How the connected components of the paper's graph are found.
 enum class ComponentSearch : std::uint8_t { traversal, null_space };
 
@@ -23,8 +27,9 @@ enum class ComponentSearch : std::uint8_t { traversal, null_space };
 struct RoomsOptions {
     double granularity = 0.5;
     double door_width_m = 4.0;
-    double min_component_m2 = 1.0;
+    double min_component_m2 = 4.0;
     double max_furniture_m2 = 0.3;
+    PieceSource pieces = PieceSource::spectral;
     double max_eigenvalue_per_m2 = 0.8;
     double full_clearance_m = 1.5;
     double min_room_m2 = 1.5;
@@ -55,6 +60,8 @@ struct SegmentOptions {
     PaperOptions paper;
     std::size_t num_threads = 2;
     std::size_t seed = 1;
+    /// Whether the result carries the hierarchy of granularities; preset `rooms`.
+    bool with_hierarchy = false;
 };
 
 /// Every option by name, bound to the members of `options`, which must outlive the list.

@@ -12,6 +12,8 @@ namespace {
 
 /// A robot fits through an opening with this clearance.
 constexpr float kFitsM = 0.25F;
+/// What is smaller is not somewhere to go to.
+constexpr double kPlaceM2 = 2.0;
 
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
@@ -72,17 +74,29 @@ Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     const auto [at, is_new] = measured_.try_emplace({a, b});
     Narrowing& narrowing = at->second;
     if (is_new) narrowing = gauge_.measure(saddles_[a].at(b), {pieces_, region_});
-    describe(narrowing.is_a_narrower ? a : b, narrowing.narrower);
-    describe(narrowing.is_a_narrower ? b : a, narrowing.wider);
+    describe(a, b, narrowing);
     return narrowing;
 }
 
-void RegionGraph::describe(std::uint32_t region, SideOfSaddle& side) const {
-    side.region_area_m2 = extent_[region].area_m2;
-    side.region_peak_m = extent_[region].peak_m;
-    side.num_openings = static_cast<std::size_t>(
-        std::count_if(saddles_[region].begin(), saddles_[region].end(),
-                      [](const auto& entry) { return entry.second.clearance_m > kFitsM; }));
+Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b) {
+    Narrowing narrowing = gauge_.measure(saddle, {pieces_, region_});
+    describe(a, b, narrowing);
+    return narrowing;
+}
+
+/// What a join changes however far away it is.
+void RegionGraph::describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const {
+    const auto fill = [&](std::uint32_t region, SideOfSaddle& side) {
+        side.region_area_m2 = extent_[region].area_m2;
+        side.region_peak_m = extent_[region].peak_m;
+        side.num_openings = static_cast<std::size_t>(std::count_if(
+            saddles_[region].begin(), saddles_[region].end(), [&](const auto& entry) {
+                return entry.second.clearance_m > kFitsM &&
+                       extent_[entry.first].area_m2 >= kPlaceM2;
+            }));
+    };
+    fill(narrowing.is_a_narrower ? a : b, narrowing.narrower);
+    fill(narrowing.is_a_narrower ? b : a, narrowing.wider);
 }
 
 bool RegionGraph::is_near(const Box& box, const Saddle& saddle) const {

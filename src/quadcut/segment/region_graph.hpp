@@ -41,6 +41,8 @@ public:
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
     [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
+    /// The same at another saddle between them, whose cell a lies in region a.
+    [[nodiscard]] Narrowing measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b);
 
 private:
     struct Extent {
@@ -53,7 +55,7 @@ private:
                       const Saddle& saddle);
     void meet(Cell cell_a, Cell cell_b);
     [[nodiscard]] bool is_near(const Box& box, const Saddle& saddle) const;
-    void describe(std::uint32_t region, SideOfSaddle& side) const;
+    void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
 
     const Raster<std::uint32_t>& pieces_;
     const Raster<float>& clearance_;

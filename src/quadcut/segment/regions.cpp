@@ -14,7 +14,11 @@ namespace quadcut {
 namespace {
 
 constexpr double kOutlineM = 0.1;
-constexpr double kMinShareOfBorder = 0.25;
+/// Of the border of a pocket, how much has the room behind it: of a small one, of a larger one.
+constexpr double kMinShare = 0.25;
+constexpr double kMinShareAround = 0.6;
+/// A table that one room is all around of may be so much larger than a pocket beside a room.
+constexpr double kTimesLarger = 5.0;
 
 template <typename Key>
 std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
@@ -140,7 +144,8 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
 
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2) {
-    const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / (resolution_m * resolution_m));
+    const double cell_m2 = resolution_m * resolution_m;
+    const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
     const auto max_steps =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
     std::vector<std::size_t> num_cells;
@@ -156,15 +161,20 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
             flood(labels, seed, seen, Connectivity::four, [&](std::size_t cell) {
                 return free.values[cell] != 0 && (labels.values[cell] != 0) == is_room;
             });
-        if (pocket.size() > max_cells) continue;
+        const double pocket_m2 = static_cast<double>(pocket.size()) * cell_m2;
+        if (pocket_m2 > kTimesLarger * max_pocket_m2) continue;
+        const bool is_small = pocket_m2 <= max_pocket_m2;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
         const std::uint32_t room = most_frequent(walk.ways);
+        const double min_ways = (is_small ? kMinShare : kMinShareAround) *
+                                static_cast<double>(walk.num_starts);
         // Two small rooms beside each other are no pockets of each other.
-        const bool is_adopted = room != 0 && (!is_room || num_cells[room] > max_cells) &&
-                                static_cast<double>(walk.ways.at(room)) >=
-                                    kMinShareOfBorder * static_cast<double>(walk.num_starts);
+        const bool is_adopted =
+            room != 0 && (!is_room || num_cells[room] > std::max(max_cells, 2 * pocket.size())) &&
+            (is_small || walk.ways.size() == 1) &&
+            static_cast<double>(walk.ways.at(room)) >= min_ways;
         for (std::size_t i = 0; i < pocket.size(); ++i) {
             labels.values[pocket[i]] = is_adopted ? room : own[i];
         }

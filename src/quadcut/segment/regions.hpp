@@ -19,8 +19,9 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
 
 /// Gives free pockets that are too small to be rooms to the room around them: the free inside of a
 /// cupboard, bin or table that is drawn as an outline. A pocket counts when at least a quarter of
-/// its border lies behind an outline at most 0.1 m thick from one room; the outline between goes to
-/// that room, too, so that it stays connected.
+/// its border lies behind an outline at most 0.1 m thick from one room, a larger one, up to five
+/// times the size, when three fifths do and no other room is behind the rest. The outline between
+/// goes to that room, too, so that it stays connected.
 /// `free`: 1 = free in the map. Connected free space of at most `max_pocket_m2` is a pocket, with
 /// or without a label, and so are free cells without a label. O(cells).
 void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,

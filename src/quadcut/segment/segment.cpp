@@ -11,6 +11,7 @@
 #include "quadcut/graph/border_edges.hpp"
 #include "quadcut/graph/visibility.hpp"
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/map/layout.hpp"
 #include "quadcut/map/leaf_table.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/segment/basins.hpp"
@@ -18,6 +19,7 @@
 #include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/doors.hpp"
 #include "quadcut/segment/fuse.hpp"
+#include "quadcut/segment/hierarchy.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/open_space.hpp"
 #include "quadcut/segment/regions.hpp"
@@ -103,52 +105,96 @@ void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<flo
                    [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
 }
 
-Segmentation segment_rooms(const GridMap& map, const RoomsOptions& options, std::uint64_t seed,
+/// The spectral over-cut, its borders moved to the narrowest lines.
+Basins snapped_over_cut(const GridMap& open_map, const Raster<float>& clearance,
+                        const SegmentOptions& options, StageClock& clock, const Executor& executor,
+                        SegmentReport& report) {
+    clock.begin("map");
+    const FreeLeaves leaves = free_leaves(open_map);
+    clock.begin("graph");
+    const Graph graph = narrowness_graph(leaves, clearance, open_map.resolution_m,
+                                         options.rooms.full_clearance_m, executor);
+    OverCutOptions over_cut_options;
+    over_cut_options.max_eigenvalue_per_m2 = options.rooms.max_eigenvalue_per_m2;
+    over_cut_options.seed = options.seed;
+    Pieces pieces = over_cut(graph, over_cut_options, clock, executor);
+    report.num_leaves = leaves.nodes.size();
+    report.num_edges = num_edges(graph);
+    report.eigen = std::move(pieces.eigen);
+    clock.begin("snap");
+    return snap_to_basins(build_basins(clearance, open_map.resolution_m), leaves.table,
+                          leaves.nodes, pieces.piece_of_node);
+}
+
+/// Rooms are connected, and what is enclosed by furniture belongs to the room around it.
+void tidy(Raster<std::uint32_t>& labels, const Raster<float>& clearance,
+          const Raster<std::uint8_t>& free, double resolution_m, double min_passable_m) {
+    connect_regions(labels);
+    drop_impassable(labels, clearance, min_passable_m);
+    adopt_pockets(labels, free, resolution_m, kMaxPocketM2);
+    drop_without_floor(labels, free);
+    connect_regions(labels);
+}
+
+/// Pieces are fused unless a door is between them: first as far as at the highest granularity, of
+/// whose regions all rooms are unions. Labels come out with regions of any number.
+Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& clearance,
+                                  const Raster<std::uint8_t>& free, double resolution_m,
+                                  const SegmentOptions& options, Hierarchy& hierarchy) {
+    RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
+    Fuser(regions, options.rooms.door_width_m).fuse_below(fuse_threshold(1.0));
+    fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
+    Raster<std::uint32_t> labels = pieces.labels;
+    relabel(regions, labels);
+    tidy(labels, clearance, free, resolution_m, options.rooms.min_passable_m);
+    if (options.with_hierarchy) {
+        hierarchy = build_hierarchy(labels, regions, options.rooms.door_width_m);
+    }
+    Fuser(regions, options.rooms.door_width_m)
+        .fuse_below(fuse_threshold(options.rooms.granularity));
+    relabel(regions, labels);
+    return labels;
+}
+
+Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
                            std::span<const Point> trajectory, StageClock& clock,
                            const Executor& executor) {
     Segmentation result;
-    // 1. What is cut: connected free space, without specks and without the ground outside.
+    // 1. What is cut: connected free space, without specks and without the ground outside, laid
+    //    out so that the result does not depend on how the map lies.
     clock.begin("inside");
-    const Raster<std::uint8_t> kept = inside(map, trajectory, options.min_component_m2);
+    const Raster<std::uint8_t> kept_in_map =
+        inside(map, trajectory, options.rooms.min_component_m2);
+    const Layout layout = standard_layout(kept_in_map);
+    const auto kept = laid_out<std::uint8_t>(kept_in_map, layout, 0);
     // 2. Clearance, in which furniture does not count.
     clock.begin("clearance");
     const Raster<std::uint8_t> open =
-        open_space(kept, map.resolution_m, {options.max_furniture_m2});
+        open_space(kept, map.resolution_m, {options.rooms.max_furniture_m2});
     const Raster<float> clearance = clearance_m(open, map.resolution_m, executor);
-    // 3. The quadtree of the open space, and the graph of its leaves.
-    clock.begin("map");
-    const FreeLeaves leaves = free_leaves(map_of(open, map.resolution_m));
-    clock.begin("graph");
-    const Graph graph =
-        narrowness_graph(leaves, clearance, map.resolution_m, options.full_clearance_m, executor);
-    // 4. The spectral over-cut, its borders moved to the narrowest lines.
-    OverCutOptions over_cut_options;
-    over_cut_options.max_eigenvalue_per_m2 = options.max_eigenvalue_per_m2;
-    over_cut_options.seed = seed;
-    Pieces pieces = over_cut(graph, over_cut_options, clock, executor);
-    clock.begin("snap");
-    const Basins snapped = snap_to_basins(build_basins(clearance, map.resolution_m), leaves.table,
-                                          leaves.nodes, pieces.piece_of_node);
-    // 5. Pieces are fused unless a door is between them.
+    // 3. The quadtree of the open space, the graph of its leaves, and its spectral over-cut; or the
+    //    basins of the clearance alone.
+    const Basins pieces =
+        options.rooms.pieces == PieceSource::spectral
+            ? snapped_over_cut(map_of(open, map.resolution_m), clearance, options, clock, executor,
+                               result.report)
+            : build_basins(clearance, map.resolution_m);
+    // 4. Pieces are fused into rooms.
     clock.begin("fuse");
-    FuseOptions fuse_options;
-    fuse_options.min_log_odds = fuse_threshold(options.granularity);
-    fuse_options.max_width_m = options.door_width_m;
-    fuse_options.min_area_m2 = options.min_room_m2;
-    FusedRegions rooms =
-        fuse(snapped.labels, snapped.count, clearance, map.resolution_m, fuse_options);
-    // 6. Rooms are connected, and what is enclosed by furniture belongs to the room around it.
-    connect_regions(rooms.labels);
-    drop_impassable(rooms.labels, clearance, options.min_passable_m);
-    const Raster<std::uint8_t> free = mask_of(map, CellState::free);
-    adopt_pockets(rooms.labels, free, map.resolution_m, kMaxPocketM2);
-    drop_without_floor(rooms.labels, free);
-    connect_regions(rooms.labels);
+    const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
+    const Raster<std::uint32_t> rooms =
+        fuse_pieces(pieces, clearance, free, map.resolution_m, options, result.hierarchy);
 
-    result.report.num_leaves = leaves.nodes.size();
-    result.report.num_edges = num_edges(graph);
-    result.report.eigen = std::move(pieces.eigen);
-    complete(std::move(rooms.labels), map, clearance, clock, executor, result);
+    Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
+    Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);
+    put_back(rooms, layout, labels);
+    put_back(clearance, layout, clearance_in_map);
+    if (options.with_hierarchy) {
+        Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);
+        put_back(result.hierarchy.finest, layout, finest);
+        result.hierarchy.finest = std::move(finest);
+    }
+    complete(std::move(labels), map, clearance_in_map, clock, executor, result);
     return result;
 }
 
@@ -258,7 +304,7 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options,
     const Executor executor{static_cast<int>(options.num_threads)};
     Segmentation result =
         options.preset == Preset::rooms
-            ? segment_rooms(map, options.rooms, options.seed, trajectory, clock, executor)
+            ? segment_rooms(map, options, trajectory, clock, executor)
             : segment_paper(map, options.paper, options.seed, trajectory, clock, executor);
     result.report.stages_ms = clock.finish();
     return result;

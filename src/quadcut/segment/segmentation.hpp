@@ -35,6 +35,9 @@ struct Door {
     Point jamb_1;
     Point jamb_2;
     double width_m = 0.0;
+    /// How wide the two rooms are near it: twice the largest clearance within 5 m, in a and in b.
+    double room_a_width_m = 0.0;
+    double room_b_width_m = 0.0;
     /// 0..1: how clearly the free space narrows here.
     double confidence = 0.0;
 };
@@ -56,6 +59,23 @@ struct SegmentReport {
     std::vector<std::string> warnings;
 };
 
+/// The map cut at another granularity.
+struct HierarchyLevel {
+    double granularity = 0.0;
+    /// Which of its regions, 1 .. num_regions, each region of the finest level is part of.
+    std::vector<std::uint16_t> region_of_finest;
+    std::uint32_t num_regions = 0;
+};
+
+/// The map cut at several granularities at once, nested: every region of a coarser level, and every
+/// room, is a union of regions of the finest one.
+struct Hierarchy {
+    /// Regions 1 .. n of the finest level; 0 = none. Empty when no hierarchy was asked for.
+    Raster<std::uint16_t> finest;
+    /// Coarsest first; levels that are like the one before are left out.
+    std::vector<HierarchyLevel> levels;
+};
+
 /// The highest id that a room can have; also the most rooms that a map can have.
 inline constexpr std::uint32_t kMaxRoomId = 65535;
 
@@ -69,6 +89,7 @@ struct Segmentation {
     std::vector<Door> doors;
     /// No room of this map has ever had this id or a higher one.
     std::uint32_t next_id = 1;
+    Hierarchy hierarchy;
     SegmentReport report;
 };
 

@@ -91,7 +91,7 @@ TEST(GeoJson, ARoomInPartsIsAMultiPolygon) {
 TEST(GeoJson, DoorsAreLinesAndMakeNeighbours) {
     test::DrawnFloor floor = test::drawn_floor({"aa#cc", "aabbb"}, 1, 1.0);
     floor.segmentation.doors.push_back(
-        {RoomId{1}, RoomId{3}, {2.0, 1.0}, {3.0, 2.0}, std::sqrt(2.0), 0.75});
+        {RoomId{1}, RoomId{3}, {2.0, 1.0}, {3.0, 2.0}, std::sqrt(2.0), 3.5, 2.0, 0.75});
     const json file = geojson_of(floor);
     EXPECT_EQ(file["features"][0]["properties"]["neighbours"], (json{2, 3}));
     EXPECT_EQ(file["features"][1]["properties"]["neighbours"], (json{1, 3}));

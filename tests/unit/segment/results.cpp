@@ -90,7 +90,7 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
                                                   "........"});
     adopt_pockets(labels, free, 0.1, 1.0);
     EXPECT_EQ(as_drawing(labels), rows) << "0.2 m of wall";
-    adopt_pockets(labels, free, 0.05, 0.004);
+    adopt_pockets(labels, free, 0.05, 0.0008);
     EXPECT_EQ(as_drawing(labels), rows) << "larger than a pocket may be";
     adopt_pockets(labels, free, 0.05, 1.0);
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";

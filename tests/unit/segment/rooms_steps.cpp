@@ -50,10 +50,9 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (rooms.free.values[i] != 0) halves.values[i] = halves.cell(i).x < 84 ? 1 : 2;
     }
-    const std::vector<std::uint32_t> own{0, 1, 2};
-    NarrowingGauge gauge(rooms.clearance, rooms.map.resolution_m);
+    RegionGraph regions(halves, 2, rooms.clearance, rooms.map.resolution_m);
     const Saddle saddle{{83, 38}, {84, 38}, rooms.clearance.at({83, 38})};
-    const Narrowing narrowing = gauge.measure(saddle, {halves, own});
+    const Narrowing narrowing = regions.measure_at(saddle, 1, 2);
     EXPECT_NEAR(saddle.clearance_m, 0.45F, 0.03F);
     EXPECT_GT(narrowing.narrower.peak_m.back(), 2.0 * narrowing.half_width_m);
     EXPECT_GE(narrowing.wider.peak_m.back(), narrowing.narrower.peak_m.back());
@@ -71,7 +70,7 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     }
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(gauge.measure(saddle, {halves, own})), door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2)), door_log_odds(narrowing));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
@@ -85,9 +84,9 @@ TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
     }
-    NarrowingGauge gauge(clearance, 0.05);
-    const Narrowing narrowing = gauge.measure({{99, 21}, {100, 21}, clearance.at({99, 21}), 40},
-                                              {halves, std::vector<std::uint32_t>{0, 1, 2}});
+    RegionGraph regions(halves, 2, clearance, 0.05);
+    const Narrowing narrowing =
+        regions.measure_at({{99, 21}, {100, 21}, clearance.at({99, 21}), 40}, 1, 2);
     EXPECT_LT(door_log_odds(narrowing), 0.0);
     for (const auto& side : narrowing.opening.widening_m) {
         for (const double beyond_jamb : side) EXPECT_LT(beyond_jamb, 0.01) << "the walls go on";
@@ -114,8 +113,8 @@ TEST(Opening, TheMouthOfAnAlcoveWidensOnOneSideOnly) {
 TEST(DoorModel, MoreWallNeverMakesADoorLessLikely) {
     Narrowing narrowing;
     narrowing.half_width_m = 0.5;
-    narrowing.narrower = {{0.8, 1.0, 1.0}, {6.0, 10.0}, 4.0};
-    narrowing.wider = {{0.8, 1.2, 1.5}, {8.0, 14.0}, 5.0};
+    narrowing.narrower = {{0.8, 1.0, 1.0}, {6.0, 10.0}, {0.9, 1.1}, 4.0, 12.0, 1.0, 2};
+    narrowing.wider = {{0.8, 1.2, 1.5}, {8.0, 14.0}, {1.0, 1.2}, 5.0, 20.0, 1.5, 3};
     narrowing.border_ratio = 1.0;
     narrowing.opening.has_jambs = true;
     narrowing.opening.width_m = 1.0;
@@ -134,49 +133,106 @@ TEST(DoorModel, MoreWallNeverMakesADoorLessLikely) {
     EXPECT_GT(before, 0.0);
 }
 
+/// The basins of the two rooms, to be fused.
+struct TwoRoomsInPieces : TwoRooms {
+    RegionGraph regions{basins.labels, basins.count, clearance, map.resolution_m};
+
+    [[nodiscard]] std::uint32_t num_regions() const {
+        std::uint32_t count = 0;
+        for (std::uint32_t piece = 1; piece <= regions.num_pieces(); ++piece) {
+            if (regions.is_region(piece)) ++count;
+        }
+        return count;
+    }
+};
+
 TEST(Fuse, KeepsTheCutInTheDoorwayAndNoOther) {
-    const TwoRooms rooms;
-    const FusedRegions fused =
-        fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, rooms.map.resolution_m);
-    ASSERT_EQ(fused.count, 2U);
-    EXPECT_NE(fused.labels.at({40, 40}), fused.labels.at({120, 40}));
+    TwoRoomsInPieces rooms;
+    Fuser(rooms.regions, 4.0).fuse_below(0.0);
+    fuse_small_regions(rooms.regions, 1.5, 0.4);
+    ASSERT_EQ(rooms.num_regions(), 2U);
+    Raster<std::uint32_t> labels = rooms.basins.labels;
+    relabel(rooms.regions, labels);
+    EXPECT_NE(labels.at({40, 40}), labels.at({120, 40}));
     // The border lies in the doorway.
-    for (std::int32_t x = 1; x < fused.labels.width; ++x) {
-        if (fused.labels.at({x, 38}) != fused.labels.at({x - 1, 38}) &&
-            fused.labels.at({x, 38}) != 0 && fused.labels.at({x - 1, 38}) != 0) {
+    for (std::int32_t x = 1; x < labels.width; ++x) {
+        if (labels.at({x, 38}) != labels.at({x - 1, 38}) && labels.at({x, 38}) != 0 &&
+            labels.at({x - 1, 38}) != 0) {
             EXPECT_NEAR(x, 84, 4);
         }
     }
 }
 
 TEST(Fuse, OpeningsBeyondTheDoorWidthSeparateNothing) {
-    const TwoRooms rooms;
-    FuseOptions options;
-    options.max_width_m = 0.6;
-    EXPECT_EQ(fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count,
-              1U);
+    TwoRoomsInPieces rooms;
+    Fuser(rooms.regions, 0.6).fuse_below(0.0);
+    EXPECT_EQ(rooms.num_regions(), 1U);
 }
 
-TEST(Fuse, SmallRegionsJoinANeighbour) {
-    const TwoRooms rooms;
-    FuseOptions options;
-    options.min_area_m2 = 20.0;
-    EXPECT_EQ(fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count,
-              1U);
+TEST(Fuse, SmallAndNarrowRegionsJoinANeighbour) {
+    TwoRoomsInPieces small;
+    Fuser(small.regions, 4.0).fuse_below(0.0);
+    fuse_small_regions(small.regions, 20.0, 0.0);
+    EXPECT_EQ(small.num_regions(), 1U);
+    TwoRoomsInPieces narrow;
+    Fuser(narrow.regions, 4.0).fuse_below(0.0);
+    fuse_small_regions(narrow.regions, 0.0, 10.0);
+    EXPECT_EQ(narrow.num_regions(), 1U);
 }
 
 TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
-    const TwoRooms rooms;
     std::uint32_t previous = 0;
     for (const double granularity : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        FuseOptions options;
-        options.min_log_odds = fuse_threshold(granularity);
-        const std::uint32_t count =
-            fuse(rooms.basins.labels, rooms.basins.count, rooms.clearance, 0.05, options).count;
-        EXPECT_GE(count, previous);
-        previous = count;
+        TwoRoomsInPieces rooms;
+        Fuser(rooms.regions, 4.0).fuse_below(fuse_threshold(granularity));
+        EXPECT_GE(rooms.num_regions(), previous);
+        previous = rooms.num_regions();
     }
     EXPECT_DOUBLE_EQ(fuse_threshold(0.5), 0.0);
+}
+
+TEST(Fuse, ToStopHalfwayChangesNothing) {
+    TwoRoomsInPieces at_once;
+    Fuser(at_once.regions, 4.0).fuse_below(3.0);
+    TwoRoomsInPieces in_steps;
+    Fuser fuser(in_steps.regions, 4.0);
+    for (const double log_odds : {-6.0, -3.0, 0.0, 3.0}) fuser.fuse_below(log_odds);
+    for (std::uint32_t piece = 1; piece <= at_once.regions.num_pieces(); ++piece) {
+        EXPECT_EQ(in_steps.regions.region_of(piece), at_once.regions.region_of(piece));
+    }
+}
+
+TEST(RegionGraph, WhatAJoinDoesNotComeNearToIsTheSameAsMeasuredAnew) {
+    TwoRoomsInPieces kept;
+    TwoRoomsInPieces anew;
+    Fuser(kept.regions, 4.0).fuse_below(0.0);
+    for (std::uint32_t piece = 1; piece <= anew.regions.num_pieces(); ++piece) {
+        const std::uint32_t region = kept.regions.region_of(piece);
+        if (region != piece) anew.regions.join(region, piece);
+    }
+    for (std::uint32_t region = 1; region <= kept.regions.num_pieces(); ++region) {
+        for (const auto& [other, saddle] : kept.regions.saddles(region)) {
+            EXPECT_EQ(door_cues(kept.regions.measure(region, other)),
+                      door_cues(anew.regions.measure(region, other)));
+        }
+    }
+}
+
+TEST(OpenSpace, ThePierBetweenTwoDoorsIsWall) {
+    // A wall 0.1 m thick with two doors of 1 m, and 0.5 m of wall between them, as an obstacle by
+    // itself; a bin as large stands in the room.
+    Raster<std::uint8_t> kept({0, 0}, 100, 100);
+    for (std::int32_t y = 2; y < 98; ++y) {
+        for (std::int32_t x = 2; x < 98; ++x) {
+            const bool is_door = (x >= 25 && x < 45) || (x >= 55 && x < 75);
+            const bool is_wall = (y == 50 || y == 51) && !is_door;
+            const bool is_bin = x >= 45 && x < 55 && (y == 80 || y == 81);
+            if (!is_wall && !is_bin) kept.at({x, y}) = 1;
+        }
+    }
+    const Raster<std::uint8_t> open = open_space(kept, 0.05);
+    EXPECT_EQ(open.at({50, 50}), 0);
+    EXPECT_EQ(open.at({50, 80}), 1);
 }
 
 TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/segment/region_graph.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+/// The levels of granularity 0, 0.1 .. 1, from regions that are fused as far as the highest one
+/// fuses; `labels` holds their numbers, each cell's region. The graph is a copy to go on with.
+/// Positions are those of `labels`. Throws InputError when there are more than 65535 regions.
+/// O(cells, and what fusing costs).
+[[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
+                                        double max_width_m);
+
+}  // namespace quadcut
