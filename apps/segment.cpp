@@ -33,6 +33,7 @@ namespace quadcut {
 namespace {
 
 constexpr std::string_view kPreviousFlag = "--previous";
+constexpr std::string_view kHierarchyFlag = "--hierarchy";
 
 /// What io::write_results writes, first what people look at.
 constexpr std::array<const char*, 7> kResultFiles{"rooms_color.png", "rooms.svg",     "rooms.png",
@@ -94,6 +95,9 @@ void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
         input.warnings.emplace_back(
             "--submaps plays no part in the preset rooms; see --preset paper");
     }
+    if (options.preset == Preset::paper && options.with_hierarchy) {
+        input.warnings.emplace_back("--hierarchy plays no part in the preset paper");
+    }
     if (!input.trajectory.empty() && visited_cells(input.map, input.trajectory).empty()) {
         input.warnings.push_back("none of the " + std::to_string(input.trajectory.size()) +
                                  " poses lies in the map");
@@ -150,6 +154,7 @@ void run(const Arguments& arguments) {
     SegmentOptions options;
     const std::vector<OptionField> fields = option_fields(options);
     set_fields(arguments, fields);
+    options.with_hierarchy = arguments.has(kHierarchyFlag);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
@@ -201,6 +206,8 @@ Command segment_command() {
                   flag_of(fields, "submaps", "K"),
                   flag_of(fields, "door_width", "M"),
                   flag_of(fields, "granularity", "G"),
+                  {std::string(kHierarchyFlag), "", "",
+                   "rooms.geojson also gets the regions of all granularities, nested"},
                   poses_flag(),
                   {std::string(kPreviousFlag), "", "DIR",
                    "an earlier result of the building: rooms that are the same keep id and name; "

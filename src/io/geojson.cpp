@@ -10,6 +10,7 @@
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "io/map_frame.hpp"
+#include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
@@ -18,12 +19,12 @@
 namespace quadcut::io {
 namespace {
 
-/// The connected parts of each room, in order of rooms.
-std::vector<std::vector<RegionOutline>> trace_rooms(const Segmentation& segmentation) {
-    const Raster<std::uint16_t>& labels = segmentation.labels;
+/// The connected parts of each region 1 .. count, in order of regions.
+std::vector<std::vector<RegionOutline>> trace_regions(const Raster<std::uint16_t>& labels,
+                                                      std::size_t count) {
     Raster<std::uint32_t> values(labels.origin, labels.width, labels.height);
     std::copy(labels.values.begin(), labels.values.end(), values.values.begin());
-    std::vector<std::vector<RegionOutline>> parts(segmentation.rooms.size());
+    std::vector<std::vector<RegionOutline>> parts(count);
     for (RegionOutline& outline : trace_outlines(std::move(values))) {
         parts.at(outline.value - 1).push_back(std::move(outline));
     }
@@ -85,12 +86,30 @@ public:
         json_.key("b").integer(index(door.b));
         json_.key("width_m").number(door.width_m);
         json_.key("confidence").number(door.confidence);
+        json_.key("reason").text(reason_of(door));
         json_.end_object();
         json_.key("geometry").begin_object().key("type").text("LineString");
         json_.key("coordinates").begin_array();
         point(door.jamb_1);
         point(door.jamb_2);
         json_.end_array().end_object().end_object();
+    }
+
+    /// A region of another granularity, and the rooms that it shares floor with.
+    void region(double granularity, std::size_t number, const std::set<std::size_t>& rooms,
+                const std::vector<RegionOutline>& parts) {
+        json_.begin_object().key("type").text("Feature");
+        json_.key("id").text("region-" + rounded(granularity, 1) + "-" + std::to_string(number));
+        json_.key("properties").begin_object();
+        json_.key("type").text("region");
+        json_.key("granularity").number(granularity);
+        json_.key("id").integer(number);
+        json_.key("rooms").begin_array();
+        for (const std::size_t room : rooms) json_.integer(room);
+        json_.end_array().end_object();
+        json_.key("geometry");
+        geometry(parts);
+        json_.end_object();
     }
 
 private:
@@ -137,11 +156,44 @@ private:
     double resolution_m_;
 };
 
+/// The rooms, by id, that share floor with each region of the finest level, from 1 on.
+std::vector<std::set<std::size_t>> rooms_of_finest(const Segmentation& segmentation) {
+    std::vector<std::set<std::size_t>> rooms;
+    const Raster<std::uint16_t>& finest = segmentation.hierarchy.finest;
+    for (std::size_t i = 0; i < finest.values.size(); ++i) {
+        const std::size_t label = segmentation.labels.values[i];
+        if (finest.values[i] == 0 || label == 0) continue;
+        if (finest.values[i] >= rooms.size()) rooms.resize(finest.values[i] + std::size_t{1});
+        rooms[finest.values[i]].insert(index(segmentation.rooms[label - 1].id));
+    }
+    return rooms;
+}
+
+void write_hierarchy(const Segmentation& segmentation, FeatureWriter& features) {
+    const std::vector<std::set<std::size_t>> finest_rooms = rooms_of_finest(segmentation);
+    for (const HierarchyLevel& level : segmentation.hierarchy.levels) {
+        Raster<std::uint16_t> labels = segmentation.hierarchy.finest;
+        for (std::uint16_t& label : labels.values) {
+            if (label != 0) label = level.region_of_finest[label - std::size_t{1}];
+        }
+        std::vector<std::set<std::size_t>> rooms(level.num_regions);
+        for (std::size_t i = 1; i < finest_rooms.size(); ++i) {
+            rooms[level.region_of_finest[i - 1] - std::size_t{1}].insert(finest_rooms[i].begin(),
+                                                                         finest_rooms[i].end());
+        }
+        const auto parts = trace_regions(labels, level.num_regions);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            features.region(level.granularity, i + 1, rooms[i], parts[i]);
+        }
+    }
+}
+
 }  // namespace
 
 std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
                        std::span<const RoomPair> pairs, std::span<const Rgb> colors) {
-    const std::vector<std::vector<RegionOutline>> parts = trace_rooms(segmentation);
+    const std::vector<std::vector<RegionOutline>> parts =
+        trace_regions(segmentation.labels, segmentation.rooms.size());
     const std::vector<std::set<RoomId>> neighbours = find_neighbours(segmentation, pairs);
     JsonWriter json;
     json.begin_object(JsonLayout::lines).key("type").text("FeatureCollection");
@@ -155,6 +207,7 @@ std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
     for (std::size_t i = 0; i < segmentation.doors.size(); ++i) {
         features.door(segmentation.doors[i], i + 1);
     }
+    write_hierarchy(segmentation, features);
     return json.end_array().end_object().finish();
 }
 

@@ -37,6 +37,7 @@ std::string to_graph_json(const Segmentation& segmentation) {
         json.key("y").number((door.jamb_1.y + door.jamb_2.y) / 2.0);
         json.key("width_m").number(door.width_m);
         json.key("confidence").number(door.confidence);
+        json.key("reason").text(reason_of(door));
         json.end_object();
     }
     return json.end_array().end_object().finish();

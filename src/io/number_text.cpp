@@ -37,6 +37,13 @@ std::string rounded(double value, int max_decimals) {
     return text;
 }
 
+std::string with_decimals(double value, int decimals) {
+    std::array<char, kMaxDigits> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                   std::chars_format::fixed, decimals);
+    return {digits.data(), end.ptr};
+}
+
 void append_exact(std::string& text, double value) {
     if (!std::isfinite(value)) {
         text += std::isnan(value) ? "NaN" : value > 0.0 ? "Infinity" : "-Infinity";

@@ -15,6 +15,8 @@ inline constexpr int kMillimetreDecimals = 3;
 /// 3. A number that is not finite becomes null.
 void append_rounded(std::string& text, double value, int max_decimals);
 [[nodiscard]] std::string rounded(double value, int max_decimals = kMillimetreDecimals);
+/// With exactly so many decimals: 2.0. For people; the value is finite.
+[[nodiscard]] std::string with_decimals(double value, int decimals);
 
 /// Appends the shortest text that reads back as exactly `value`, always marked as a real number:
 /// 0.05, 1.0, 1e-09. A number that is not finite becomes NaN, Infinity or -Infinity.

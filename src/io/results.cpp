@@ -33,14 +33,20 @@ void check_map(const GridMap& map) {
     }
 }
 
+Raster<std::uint16_t> on_map(const GridMap& map, const Raster<std::uint16_t>& from) {
+    Raster<std::uint16_t> to(map.states.origin, map.states.width, map.states.height);
+    for (std::size_t i = 0; i < to.values.size(); ++i) {
+        if (from.contains(to.cell(i))) to.values[i] = from.at(to.cell(i));
+    }
+    return to;
+}
+
 /// The segmentation with labels for exactly the cells of the map.
 Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
     Segmentation result = segmentation;
-    const Raster<std::uint16_t>& from = segmentation.labels;
-    Raster<std::uint16_t>& to = result.labels;
-    to = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height);
-    for (std::size_t i = 0; i < to.values.size(); ++i) {
-        if (from.contains(to.cell(i))) to.values[i] = from.at(to.cell(i));
+    result.labels = on_map(map, segmentation.labels);
+    if (!result.hierarchy.levels.empty()) {
+        result.hierarchy.finest = on_map(map, segmentation.hierarchy.finest);
     }
     return result;
 }

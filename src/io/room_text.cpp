@@ -29,4 +29,10 @@ std::string area_text(double area_m2) {
     return rounded(area_m2, area_m2 < kLarge ? 1 : 0) + " m\u00B2";
 }
 
+std::string reason_of(const Door& door) {
+    return with_decimals(door.width_m, 2) + " m between rooms " +
+           with_decimals(door.room_a_width_m, 1) + " m and " +
+           with_decimals(door.room_b_width_m, 1) + " m wide";
+}
+
 }  // namespace quadcut::io

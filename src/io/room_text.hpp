@@ -18,4 +18,7 @@ namespace quadcut::io {
 /// "12.3 m²", whole square metres from 100 on.
 [[nodiscard]] std::string area_text(double area_m2);
 
+/// Why the map is cut there: "0.82 m between rooms 3.4 m and 2.0 m wide".
+[[nodiscard]] std::string reason_of(const Door& door);
+
 }  // namespace quadcut::io

@@ -46,8 +46,7 @@ Layout standard_layout(const Raster<std::uint8_t>& mask) {
     }
     Layout layout;
     layout.box = {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}};
-    layout.is_transposed =
-        spread(sum.count, sum.y, sum.yy) > spread(sum.count, sum.x, sum.xx);
+    layout.is_transposed = spread(sum.count, sum.y, sum.yy) > spread(sum.count, sum.x, sum.xx);
     const bool x_back = skew(sum.count, sum.x, sum.xx, sum.xxx) < 0.0;
     const bool y_back = skew(sum.count, sum.y, sum.yy, sum.yyy) < 0.0;
     layout.is_x_reversed = layout.is_transposed ? y_back : x_back;

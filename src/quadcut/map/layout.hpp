@@ -27,12 +27,8 @@ struct Layout {
         if (is_transposed) std::swap(cell.x, cell.y);
         return {box.low.x + cell.x, box.low.y + cell.y};
     }
-    [[nodiscard]] std::int32_t width() const {
-        return is_transposed ? box.height() : box.width();
-    }
-    [[nodiscard]] std::int32_t height() const {
-        return is_transposed ? box.width() : box.height();
-    }
+    [[nodiscard]] std::int32_t width() const { return is_transposed ? box.height() : box.width(); }
+    [[nodiscard]] std::int32_t height() const { return is_transposed ? box.width() : box.height(); }
 };
 
 /// The standard layout of what is not 0: its box with a margin of one cell, the longer spread and

@@ -23,17 +23,16 @@ double elongation(const SideOfSaddle& side) {
 
 const std::array<std::string_view, kNumDoorCues>& door_cue_names() {
     static constexpr std::array<std::string_view, kNumDoorCues> kNames{
-        "half_width_m",      "narrower_peak_1.5", "narrower_peak_3",   "narrower_peak_5",
-        "wider_peak_1.5",    "wider_peak_3",      "wider_peak_5",      "narrower_reach",
-        "wider_reach",       "narrower_area_5",   "wider_area_5",      "narrower_area_3_m2",
-        "wider_area_3_m2",   "less_thin_wall_m",  "more_thin_wall_m",  "less_flush_wall_m",
-        "more_flush_wall_m", "border_ratio",      "widening_1_less_m", "widening_1_more_m",
-        "widening_2_less_m", "widening_2_more_m", "jamb_distance_m",
-        "narrower_spread_3", "wider_spread_3", "less_spread_3", "more_spread_3",
-        "narrower_spread_5", "wider_spread_5",
-        "narrower_region_m2", "wider_region_m2", "narrower_region_peak", "wider_region_peak",
-        "narrower_elongation", "wider_elongation", "narrower_openings", "wider_openings",
-        "less_line_m", "more_line_m"};
+        "half_width_m",      "narrower_peak_1.5",   "narrower_peak_3",   "narrower_peak_5",
+        "wider_peak_1.5",    "wider_peak_3",        "wider_peak_5",      "narrower_reach",
+        "wider_reach",       "narrower_area_5",     "wider_area_5",      "narrower_area_3_m2",
+        "wider_area_3_m2",   "less_thin_wall_m",    "more_thin_wall_m",  "less_flush_wall_m",
+        "more_flush_wall_m", "border_ratio",        "widening_1_less_m", "widening_1_more_m",
+        "widening_2_less_m", "widening_2_more_m",   "jamb_distance_m",   "narrower_spread_3",
+        "wider_spread_3",    "less_spread_3",       "more_spread_3",     "narrower_spread_5",
+        "wider_spread_5",    "narrower_region_m2",  "wider_region_m2",   "narrower_region_peak",
+        "wider_region_peak", "narrower_elongation", "wider_elongation",  "narrower_openings",
+        "wider_openings",    "less_line_m",         "more_line_m"};
     return kNames;
 }
 

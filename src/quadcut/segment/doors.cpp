@@ -83,8 +83,8 @@ Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& 
     return widest;
 }
 
-/// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies on
-/// average there, not on the face that is turned to the opening.
+/// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies
+/// on average there, not on the face that is turned to the opening.
 Point jamb_point(Cell jamb, double resolution_m, const Pose& map_from_image) {
     return transform(map_from_image,
                      {(jamb.x + 0.5) * resolution_m, (jamb.y + 0.5) * resolution_m});

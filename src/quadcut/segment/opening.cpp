@@ -135,7 +135,7 @@ double widening_beyond(const Surroundings& around, Cell jamb, const Direction& o
     for (int step = 0; step < kProfileSteps; ++step) {
         const double t = (kProfileFromM + kProfileStepM * step) / around.resolution_m;
         Point at{jamb.x + 0.5 + aside.x * t - outward.x * inside,
-                  jamb.y + 0.5 + aside.y * t - outward.y * inside};
+                 jamb.y + 0.5 + aside.y * t - outward.y * inside};
         double beyond = -inside;
         while (beyond < limit && around.is_open(at)) {
             at = {at.x + outward.x, at.y + outward.y};

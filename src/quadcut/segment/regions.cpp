@@ -168,8 +168,8 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
         const std::uint32_t room = most_frequent(walk.ways);
-        const double min_ways = (is_small ? kMinShare : kMinShareAround) *
-                                static_cast<double>(walk.num_starts);
+        const double min_ways =
+            (is_small ? kMinShare : kMinShareAround) * static_cast<double>(walk.num_starts);
         // Two small rooms beside each other are no pockets of each other.
         const bool is_adopted =
             room != 0 && (!is_room || num_cells[room] > std::max(max_cells, 2 * pocket.size())) &&

@@ -174,11 +174,10 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     const Raster<float> clearance = clearance_m(open, map.resolution_m, executor);
     // 3. The quadtree of the open space, the graph of its leaves, and its spectral over-cut; or the
     //    basins of the clearance alone.
-    const Basins pieces =
-        options.rooms.pieces == PieceSource::spectral
-            ? snapped_over_cut(map_of(open, map.resolution_m), clearance, options, clock, executor,
-                               result.report)
-            : build_basins(clearance, map.resolution_m);
+    const Basins pieces = options.rooms.pieces == PieceSource::spectral
+                              ? snapped_over_cut(map_of(open, map.resolution_m), clearance, options,
+                                                 clock, executor, result.report)
+                              : build_basins(clearance, map.resolution_m);
     // 4. Pieces are fused into rooms.
     clock.begin("fuse");
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);

@@ -101,6 +101,7 @@ TEST(GeoJson, DoorsAreLinesAndMakeNeighbours) {
     EXPECT_EQ(door["properties"]["b"], 3);
     EXPECT_EQ(door["properties"]["width_m"], 1.414);
     EXPECT_EQ(door["properties"]["confidence"], 0.75);
+    EXPECT_EQ(door["properties"]["reason"], "1.41 m between rooms 3.5 m and 2.0 m wide");
     EXPECT_EQ(door["geometry"]["type"], "LineString");
     EXPECT_EQ(door["geometry"]["coordinates"], (json{{2.0, 1.0}, {3.0, 2.0}}));
 }

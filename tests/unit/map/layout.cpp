@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/layout.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace quadcut {
 namespace {

@@ -225,8 +225,60 @@ TEST(Segment, TurningAndMirroringDoNotMatter) {
         const std::vector<double> other_areas = sorted_areas(segment(other));
         ASSERT_EQ(other_areas.size(), areas.size());
         for (std::size_t i = 0; i < areas.size(); ++i) {
-            EXPECT_NEAR(other_areas[i], areas[i], 0.02 * areas[i]);
+            EXPECT_DOUBLE_EQ(other_areas[i], areas[i]) << "the same rooms to the cell";
         }
+    }
+}
+
+TEST(Segment, PaddingDoesNotMatter) {
+    const GridMap map = office();
+    GridMap padded = map;
+    padded.states = Raster<CellState>({0, 0}, 437, 331, CellState::unknown);
+    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
+        const Cell cell = map.states.cell(i);
+        padded.states.at({cell.x + 37, cell.y + 21}) = map.states.values[i];
+    }
+    EXPECT_EQ(sorted_areas(segment(padded)), sorted_areas(segment(map)));
+}
+
+TEST(Segment, TheHierarchyIsNestedAndChangesNoRoom) {
+    const GridMap map = office();
+    SegmentOptions options;
+    const Segmentation plain = segment(map, options);
+    EXPECT_TRUE(plain.hierarchy.levels.empty());
+    options.with_hierarchy = true;
+    const Segmentation result = segment(map, options);
+    EXPECT_EQ(result.labels.values, plain.labels.values);
+    const Hierarchy& hierarchy = result.hierarchy;
+    ASSERT_GE(hierarchy.levels.size(), 2U);
+    EXPECT_DOUBLE_EQ(hierarchy.levels.front().granularity, 0.0);
+    EXPECT_DOUBLE_EQ(hierarchy.levels.back().granularity, 1.0);
+    ASSERT_EQ(hierarchy.finest.values.size(), map.states.values.size());
+    std::map<std::uint16_t, std::uint16_t> room_of_finest;
+    for (std::size_t i = 0; i < hierarchy.finest.values.size(); ++i) {
+        const std::uint16_t region = hierarchy.finest.values[i];
+        ASSERT_EQ(region == 0, result.labels.values[i] == 0);
+        if (region == 0) continue;
+        const auto found = room_of_finest.emplace(region, result.labels.values[i]).first;
+        ASSERT_EQ(found->second, result.labels.values[i]) << "a room cuts a region";
+    }
+    for (std::size_t k = 1; k < hierarchy.levels.size(); ++k) {
+        const HierarchyLevel& coarse = hierarchy.levels[k - 1];
+        const HierarchyLevel& fine = hierarchy.levels[k];
+        EXPECT_LT(coarse.num_regions, fine.num_regions);
+        std::map<std::uint16_t, std::uint16_t> coarse_of_fine;
+        for (std::size_t i = 0; i < fine.region_of_finest.size(); ++i) {
+            const auto found =
+                coarse_of_fine.emplace(fine.region_of_finest[i], coarse.region_of_finest[i]).first;
+            EXPECT_EQ(found->second, coarse.region_of_finest[i]);
+        }
+    }
+}
+
+TEST(Segment, DoorsSayHowWideTheRoomsBesideThemAre) {
+    for (const Door& door : segment(office()).doors) {
+        EXPECT_GT(door.room_a_width_m, door.width_m);
+        EXPECT_GT(door.room_b_width_m, door.width_m);
     }
 }
 
