@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -17,6 +18,8 @@ constexpr int kNumDirections = 36;
 constexpr std::size_t kNumTried = 12;
 /// Doors beside a pier are at most this wide.
 constexpr double kMaxGapM = 1.6;
+/// A flaw of the map leaves a gap of at most this; to one side is enough.
+constexpr double kFlawM = 0.1;
 /// A wall has at least this length in line with a pier, and a face within this of its middle.
 constexpr double kMinWallM = 0.4;
 constexpr double kFaceM = 0.25;
@@ -26,6 +29,7 @@ class WallSeeker {
 public:
     WallSeeker(const Raster<std::uint8_t>& free, double resolution_m)
         : free_(free),
+          flaw_(kFlawM / resolution_m),
           max_gap_(kMaxGapM / resolution_m),
           min_wall_(kMinWallM / resolution_m),
           face_(kFaceM / resolution_m) {}
@@ -42,7 +46,9 @@ public:
             for (int k = 0; k < kNumDirections; ++k) {
                 const double angle = std::numbers::pi * k / kNumDirections;
                 const Point along{std::cos(angle), std::sin(angle)};
-                if (meets_wall_end(middle, along) && meets_wall_end(middle, {-along.x, -along.y})) {
+                const double ahead = gap_to_wall(middle, along);
+                const double behind = gap_to_wall(middle, {-along.x, -along.y});
+                if (std::min(ahead, behind) <= flaw_ || std::max(ahead, behind) <= max_gap_) {
                     return true;
                 }
             }
@@ -62,29 +68,33 @@ private:
         }
         return false;
     }
-    /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction.
-    [[nodiscard]] bool meets_wall_end(const Point& from, const Point& along) const {
+    /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
+    /// length of the gap; infinite when there is no such wall.
+    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along) const {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
         const auto at = [&](double t) { return Point{from.x + t * along.x, from.y + t * along.y}; };
         double t = 0.0;
         while (!is_free(at(t))) {
-            if (t > max_gap_) return false;
+            if (t > max_gap_) return kNone;
             t += 1.0;
         }
         const double edge = t;
         while (is_free(at(t))) {
-            if (t - edge > max_gap_) return false;
+            if (t - edge > max_gap_) return kNone;
             t += 1.0;
         }
+        const double gap = t - edge;
         for (const double end = t + min_wall_; t < end; t += 1.0) {
             if (is_free(at(t)) || !has_face(at(t), {-along.y, along.x}) ||
                 !has_face(at(t), {along.y, -along.x})) {
-                return false;
+                return kNone;
             }
         }
-        return true;
+        return gap;
     }
 
     const Raster<std::uint8_t>& free_;
+    double flaw_;
     double max_gap_;
     double min_wall_;
     double face_;
