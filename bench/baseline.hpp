@@ -8,11 +8,11 @@
 #include <span>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/basins.hpp"
+#include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/region_graph.hpp"
@@ -30,13 +30,7 @@ inline constexpr double kBaselineMaxSaddleM = 1.5;
 class BaselineFusion {
 public:
     BaselineFusion(const Basins& basins, const Raster<float>& clearance, double resolution_m)
-        : regions_(basins.labels, basins.count, clearance, resolution_m),
-          peak_m_(basins.count + 1, 0.0) {
-        for (std::size_t i = 0; i < clearance.values.size(); ++i) {
-            double& peak = peak_m_[basins.labels.values[i]];
-            peak = std::max<double>(peak, clearance.values[i]);
-        }
-    }
+        : regions_(basins.labels, basins.count, clearance, resolution_m) {}
 
     void join_across_wide_saddles() {
         for (std::uint32_t region = 1; region <= regions_.num_pieces(); ++region) push(region);
@@ -53,24 +47,7 @@ public:
         }
     }
 
-    /// Smallest first, through the widest saddle.
-    void join_small_regions(double min_area_m2) {
-        std::vector<std::pair<double, std::uint32_t>> small;
-        for (std::uint32_t region = 1; region <= regions_.num_pieces(); ++region) {
-            if (!regions_.is_region(region)) continue;
-            small.emplace_back(regions_.area_m2(region), region);
-        }
-        std::sort(small.begin(), small.end());
-        for (const auto& [area_m2, region] : small) {
-            if (!regions_.is_region(region) || regions_.area_m2(region) >= min_area_m2) continue;
-            const auto& saddles = regions_.saddles(region);
-            const auto widest =
-                std::max_element(saddles.begin(), saddles.end(), [](const auto& p, const auto& q) {
-                    return p.second.clearance_m < q.second.clearance_m;
-                });
-            if (widest != saddles.end()) join(region, widest->first);
-        }
-    }
+    void join_small_regions(double min_area_m2) { fuse_small_regions(regions_, min_area_m2, 0.0); }
 
     [[nodiscard]] std::uint32_t region_of(std::uint32_t basin) const {
         return basin == 0 ? 0 : regions_.region_of(basin);
@@ -92,7 +69,7 @@ private:
     void push(std::uint32_t region) {
         for (const auto& [other, saddle] : regions_.saddles(region)) {
             const auto height_m = static_cast<double>(saddle.clearance_m);
-            const double peak_m = std::min(peak_m_[region], peak_m_[other]);
+            const double peak_m = std::min(regions_.peak_m(region), regions_.peak_m(other));
             const double ratio = height_m > kBaselineMaxSaddleM ? 1.0 : height_m / peak_m;
             queue_.push({ratio, region, other, regions_.version(region), regions_.version(other)});
         }
@@ -100,11 +77,9 @@ private:
     void join(std::uint32_t a, std::uint32_t b) {
         if (regions_.area_m2(a) < regions_.area_m2(b)) std::swap(a, b);
         regions_.join(a, b);
-        peak_m_[a] = std::max(peak_m_[a], peak_m_[b]);
     }
 
     RegionGraph regions_;
-    std::vector<double> peak_m_;
     std::priority_queue<Candidate> queue_;
 };
 

@@ -9,7 +9,8 @@
 namespace quadcut {
 
 struct OpenSpaceOptions {
-    /// Obstacles that touch nothing else and cover less, holes included, are furniture, m^2.
+    /// Obstacles that touch nothing else and cover less, holes included, are furniture, m^2; but
+    /// not the pieces of a wall between its doors.
     double max_furniture_m2 = 0.3;
 };
 
