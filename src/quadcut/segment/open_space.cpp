@@ -22,6 +22,7 @@ constexpr double kMaxGapM = 1.6;
 constexpr double kFlawM = 0.1;
 /// A wall has at least this length in line with a pier, and a face within this of its middle.
 constexpr double kMinWallM = 0.4;
+constexpr double kMinPieceM = 0.2;
 constexpr double kFaceM = 0.25;
 
 /// Questions about free space; positions and lengths in cells.
@@ -32,6 +33,7 @@ public:
           flaw_(kFlawM / resolution_m),
           max_gap_(kMaxGapM / resolution_m),
           min_wall_(kMinWallM / resolution_m),
+          min_piece_(kMinPieceM / resolution_m),
           face_(kFaceM / resolution_m) {}
 
     /// Whether an obstacle is a part of a wall with a gap on both sides of it, as the pier between
@@ -48,9 +50,8 @@ public:
                 const Point along{std::cos(angle), std::sin(angle)};
                 const double ahead = gap_to_wall(middle, along);
                 const double behind = gap_to_wall(middle, {-along.x, -along.y});
-                if (std::min(ahead, behind) <= flaw_ || std::max(ahead, behind) <= max_gap_) {
-                    return true;
-                }
+                if (std::max(ahead, behind) <= max_gap_) return true;
+                if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(middle, along)) return true;
             }
         }
         return false;
@@ -67,6 +68,20 @@ private:
             if (is_free({at.x + t * side.x, at.y + t * side.y})) return true;
         }
         return false;
+    }
+    /// Whether the obstacle is long along a line through it, and thin everywhere on it.
+    [[nodiscard]] bool is_piece_of_wall(const Point& middle, const Point& along) const {
+        double length = -1.0;
+        for (const double sign : {1.0, -1.0}) {
+            for (double t = 0.0; t <= max_gap_; t += 1.0, length += 1.0) {
+                const Point at{middle.x + sign * t * along.x, middle.y + sign * t * along.y};
+                if (is_free(at)) break;
+                if (!has_face(at, {-along.y, along.x}) || !has_face(at, {along.y, -along.x})) {
+                    return false;
+                }
+            }
+        }
+        return length >= min_piece_;
     }
     /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
     /// length of the gap; infinite when there is no such wall.
@@ -97,6 +112,7 @@ private:
     double flaw_;
     double max_gap_;
     double min_wall_;
+    double min_piece_;
     double face_;
 };
 

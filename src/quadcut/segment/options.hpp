@@ -29,7 +29,7 @@ struct RoomsOptions {
     double door_width_m = 4.0;
     double min_component_m2 = 4.0;
     double max_furniture_m2 = 0.3;
-    PieceSource pieces = PieceSource::spectral;
+    PieceSource pieces = PieceSource::basins;
     double max_eigenvalue_per_m2 = 0.8;
     double full_clearance_m = 1.5;
     double min_room_m2 = 1.5;
