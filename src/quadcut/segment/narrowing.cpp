@@ -27,56 +27,64 @@ NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resoluti
       step_m_(stride_cells_ * resolution_m),
       radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 1),
       side_(2 * radius_ + 1),
-      seen_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0),
-      buckets_(static_cast<std::size_t>(5.0 * kNarrowingReachM / step_m_) + 9) {}
+      places_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)),
+      buckets_(static_cast<std::size_t>(5.0 * kNarrowingReachM / step_m_) + 10) {}
 
 /// Nearest places first (Dial's buckets).
 SideOfSaddle NarrowingGauge::walk_outward(Cell seed, const Direction& along,
                                           const RegionsView& regions) {
+    constexpr auto kUnreached = static_cast<std::uint32_t>(-1);
     const std::uint32_t region = regions.region_at(clearance_.offset(seed));
-    SideOfSaddle side;
-    std::array<double, 2> sum_squares{};
-    const auto visit = [&](std::uint32_t place, std::size_t length) {
-        if (std::exchange(seen_[place], walk_) == walk_) return;
-        const std::int32_t x = static_cast<std::int32_t>(place) % side_ - radius_;
-        const std::int32_t y = static_cast<std::int32_t>(place) / side_ - radius_;
-        const double path_m = static_cast<double>(length) * step_m_ / 5.0;
-        const double height_m =
-            clearance_.at({seed.x + x * stride_cells_, seed.y + y * stride_cells_});
-        for (std::size_t i = 0; i < kPeakWithinM.size(); ++i) {
-            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = std::max(side.peak_m[i], height_m);
+    const auto reach = [&](std::int32_t x, std::int32_t y, std::size_t length) {
+        if (std::abs(x) > radius_ || std::abs(y) > radius_) return;
+        const auto at = static_cast<std::uint32_t>((y + radius_) * side_ + x + radius_);
+        Place& place = places_[at];
+        if (std::exchange(place.walk, walk_) != walk_) {
+            const Cell cell{seed.x + x * stride_cells_, seed.y + y * stride_cells_};
+            const bool is_inside = clearance_.contains(cell) &&
+                                   regions.region_at(clearance_.offset(cell)) == region;
+            place.length = is_inside ? kUnreached : 0;
         }
-        const double aside_m = (x * along.x + y * along.y) * step_m_;
-        for (std::size_t i = 0; i < kAreaWithinM.size(); ++i) {
-            if (path_m > kAreaWithinM[i]) continue;
-            side.area_m2[i] += step_m_ * step_m_;
-            sum_squares[i] += aside_m * aside_m * step_m_ * step_m_;
-        }
-        side.reach_m = path_m;
-        for (std::int32_t dy = -1; dy <= 1; ++dy) {
-            for (std::int32_t dx = -1; dx <= 1; ++dx) {
-                if (std::abs(x + dx) > radius_ || std::abs(y + dy) > radius_) continue;
-                const std::uint32_t next = place + static_cast<std::uint32_t>(dy * side_ + dx);
-                const Cell cell{seed.x + (x + dx) * stride_cells_,
-                                seed.y + (y + dy) * stride_cells_};
-                if (seen_[next] == walk_ || !clearance_.contains(cell) ||
-                    regions.region_at(clearance_.offset(cell)) != region) {
-                    continue;
-                }
-                buckets_[length + (dx != 0 && dy != 0 ? 7U : 5U)].push_back(next);
-            }
-        }
+        if (length >= place.length) return;
+        place.length = static_cast<std::uint32_t>(length);
+        buckets_[length].push_back(at);
     };
     ++walk_;
     for (auto& bucket : buckets_) bucket.clear();
-    buckets_[0].push_back(static_cast<std::uint32_t>(radius_ * side_ + radius_));
-    for (std::size_t length = 0; length + 8 < buckets_.size(); ++length) {
+    // The length 0 means something else.
+    constexpr std::size_t kStart = 1;
+    reach(0, 0, kStart);
+    SideOfSaddle side;
+    double peak_m = 0.0;
+    double num_places = 0.0;
+    double sum_squares = 0.0;
+    for (std::size_t length = kStart; length + 8 < buckets_.size(); ++length) {
         for (std::size_t i = 0; i < buckets_[length].size(); ++i) {
-            visit(buckets_[length][i], length);
+            const std::uint32_t at = buckets_[length][i];
+            if (places_[at].length != length) continue;
+            const std::int32_t x = static_cast<std::int32_t>(at) % side_ - radius_;
+            const std::int32_t y = static_cast<std::int32_t>(at) / side_ - radius_;
+            const Cell cell{seed.x + x * stride_cells_, seed.y + y * stride_cells_};
+            peak_m = std::max(peak_m, static_cast<double>(clearance_.at(cell)));
+            const double aside = x * along.x + y * along.y;
+            sum_squares += aside * aside;
+            num_places += 1.0;
+            for (std::int32_t dy = -1; dy <= 1; ++dy) {
+                for (std::int32_t dx = -1; dx <= 1; ++dx) {
+                    reach(x + dx, y + dy, length + (dx != 0 && dy != 0 ? 7U : 5U));
+                }
+            }
         }
-    }
-    for (std::size_t i = 0; i < sum_squares.size(); ++i) {
-        side.spread_m[i] = std::sqrt(sum_squares[i] / side.area_m2[i]);
+        const double path_m = static_cast<double>(length - kStart) * step_m_ / 5.0;
+        if (!buckets_[length].empty()) side.reach_m = path_m;
+        for (std::size_t i = 0; i < kPeakWithinM.size(); ++i) {
+            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = peak_m;
+        }
+        for (std::size_t i = 0; i < kAreaWithinM.size(); ++i) {
+            if (path_m > kAreaWithinM[i]) continue;
+            side.area_m2[i] = num_places * step_m_ * step_m_;
+            side.spread_m[i] = std::sqrt(sum_squares / num_places) * step_m_;
+        }
     }
     return side;
 }

@@ -79,8 +79,13 @@ private:
     /// Of the window of places around the saddle.
     std::int32_t radius_;
     std::int32_t side_;
-    /// A place of the window has been seen in this walk when it holds the walk's number.
-    std::vector<std::uint32_t> seen_;
+    /// What a walk knows of a place, if it holds the walk's number: the length of the shortest path
+    /// so far, in fifths of a step; 0 where no path leads on.
+    struct Place {
+        std::uint32_t walk = 0;
+        std::uint32_t length = 0;
+    };
+    std::vector<Place> places_;
     std::uint32_t walk_ = 0;
     /// The places to visit by path length, in fifths of a step: 5 straight, 7 diagonal.
     std::vector<std::vector<std::uint32_t>> buckets_;

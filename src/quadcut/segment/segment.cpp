@@ -126,11 +126,9 @@ Basins snapped_over_cut(const GridMap& open_map, const Raster<float>& clearance,
                           leaves.nodes, pieces.piece_of_node);
 }
 
-/// Rooms are connected, and what is enclosed by furniture belongs to the room around it.
-void tidy(Raster<std::uint32_t>& labels, const Raster<float>& clearance,
-          const Raster<std::uint8_t>& free, double resolution_m, double min_passable_m) {
-    connect_regions(labels);
-    drop_impassable(labels, clearance, min_passable_m);
+/// What is enclosed by furniture belongs to the room around it; rooms stay connected.
+void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                  double resolution_m) {
     adopt_pockets(labels, free, resolution_m, kMaxPocketM2);
     drop_without_floor(labels, free);
     connect_regions(labels);
@@ -146,13 +144,17 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
     fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
     Raster<std::uint32_t> labels = pieces.labels;
     relabel(regions, labels);
-    tidy(labels, clearance, free, resolution_m, options.rooms.min_passable_m);
+    connect_regions(labels);
+    drop_impassable(labels, clearance, options.rooms.min_passable_m);
+    tidy_pockets(labels, free, resolution_m);
     if (options.with_hierarchy) {
         hierarchy = build_hierarchy(labels, regions, options.rooms.door_width_m);
     }
     Fuser(regions, options.rooms.door_width_m)
         .fuse_below(fuse_threshold(options.rooms.granularity));
     relabel(regions, labels);
+    // A large table in a hall may have had several regions around it.
+    tidy_pockets(labels, free, resolution_m);
     return labels;
 }
 
