@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "quadcut/segment/door_model.hpp"
@@ -13,6 +14,8 @@
 
 namespace quadcut {
 namespace {
+
+constexpr std::size_t kOpeningsPerChunk = 16;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -30,12 +33,16 @@ std::map<Pair, std::vector<Contact>> find_contacts(const Raster<std::uint32_t>& 
         if (a == 0 || b == 0 || a == b) return;
         contacts[{std::min(a, b), std::max(a, b)}].push_back(a < b ? Contact{p, q} : Contact{q, p});
     };
-    for (std::int32_t y = 0; y < labels.height; ++y) {
-        for (std::int32_t x = 0; x < labels.width; ++x) {
-            const Cell cell{labels.origin.x + x, labels.origin.y + y};
-            if (x + 1 < labels.width) meet(cell, {cell.x + 1, cell.y});
-            if (y + 1 < labels.height) meet(cell, {cell.x, cell.y + 1});
-        }
+    const auto width = static_cast<std::size_t>(labels.width);
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint32_t own = labels.values[i];
+        if (own == 0) continue;
+        const bool is_right = (i + 1) % width != 0 && labels.values[i + 1] != own;
+        const bool is_above = i + width < labels.values.size() && labels.values[i + width] != own;
+        if (!is_right && !is_above) continue;
+        const Cell cell = labels.cell(i);
+        if (is_right) meet(cell, {cell.x + 1, cell.y});
+        if (is_above) meet(cell, {cell.x, cell.y + 1});
     }
     return contacts;
 }
@@ -105,34 +112,61 @@ std::array<Cell, 2> ends_of(const std::vector<Contact>& opening) {
     return {first, end};
 }
 
+/// One opening with the door that it is; empty where nothing fits through.
+struct Found {
+    Pair pair;
+    std::vector<Contact> contacts;
+    std::optional<Door> door;
+};
+
+std::optional<Door> measure_door(const Found& opening, const RegionGraph& regions,
+                                 const Raster<float>& clearance_m, double resolution_m,
+                                 const Pose& map_from_image, NarrowingGauge& gauge) {
+    const Saddle saddle = widest_contact(opening.contacts, clearance_m);
+    if (saddle.clearance_m <= 0.0F) return std::nullopt;
+    const auto [a, b] = opening.pair;
+    const Narrowing narrowing = regions.measure_at(saddle, a, b, gauge);
+    const std::array<Cell, 2> jambs =
+        narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening.contacts);
+    Door door;
+    door.a = RoomId{a};
+    door.b = RoomId{b};
+    door.jamb_1 = jamb_point(jambs[0], resolution_m, map_from_image);
+    door.jamb_2 = jamb_point(jambs[1], resolution_m, map_from_image);
+    door.width_m = distance(door.jamb_1, door.jamb_2);
+    // The saddle's cell a is in the region with the smaller label.
+    const double narrower_m = 2.0 * narrowing.narrower.peak_m.back();
+    const double wider_m = 2.0 * narrowing.wider.peak_m.back();
+    door.room_a_width_m = narrowing.is_a_narrower ? narrower_m : wider_m;
+    door.room_b_width_m = narrowing.is_a_narrower ? wider_m : narrower_m;
+    door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
+    return door;
+}
+
 }  // namespace
 
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
                              const Raster<float>& clearance_m, double resolution_m,
-                             const Pose& map_from_image, double min_width_m) {
-    RegionGraph regions(labels, num_regions, clearance_m, resolution_m);
-    std::vector<Door> doors;
+                             const Pose& map_from_image, double min_width_m,
+                             const Executor& executor) {
+    const RegionGraph regions(labels, num_regions, clearance_m, resolution_m);
+    std::vector<Found> openings;
     for (const auto& [pair, contacts] : find_contacts(labels)) {
-        for (const auto& opening : split_into_openings(contacts)) {
-            const Saddle saddle = widest_contact(opening, clearance_m);
-            if (saddle.clearance_m <= 0.0F) continue;
-            const Narrowing narrowing = regions.measure_at(saddle, pair.first, pair.second);
-            const std::array<Cell, 2> jambs =
-                narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening);
-            Door door;
-            door.a = RoomId{pair.first};
-            door.b = RoomId{pair.second};
-            door.jamb_1 = jamb_point(jambs[0], resolution_m, map_from_image);
-            door.jamb_2 = jamb_point(jambs[1], resolution_m, map_from_image);
-            door.width_m = distance(door.jamb_1, door.jamb_2);
-            // The saddle's cell a is in the region with the smaller label.
-            const double narrower_m = 2.0 * narrowing.narrower.peak_m.back();
-            const double wider_m = 2.0 * narrowing.wider.peak_m.back();
-            door.room_a_width_m = narrowing.is_a_narrower ? narrower_m : wider_m;
-            door.room_b_width_m = narrowing.is_a_narrower ? wider_m : narrower_m;
-            door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
-            if (door.width_m >= min_width_m) doors.push_back(door);
+        for (auto& opening : split_into_openings(contacts)) {
+            openings.push_back({pair, std::move(opening), std::nullopt});
         }
+    }
+    parallel_for(executor, openings.size(), kOpeningsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     NarrowingGauge gauge(clearance_m, resolution_m);
+                     for (std::size_t i = first; i < last; ++i) {
+                         openings[i].door = measure_door(openings[i], regions, clearance_m,
+                                                         resolution_m, map_from_image, gauge);
+                     }
+                 });
+    std::vector<Door> doors;
+    for (const Found& opening : openings) {
+        if (opening.door && opening.door->width_m >= min_width_m) doors.push_back(*opening.door);
     }
     return doors;
 }

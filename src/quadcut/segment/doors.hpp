@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
@@ -17,6 +18,7 @@ namespace quadcut {
 [[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
                                            std::uint32_t num_regions,
                                            const Raster<float>& clearance_m, double resolution_m,
-                                           const Pose& map_from_image, double min_width_m = 0.3);
+                                           const Pose& map_from_image, double min_width_m,
+                                           const Executor& executor = {});
 
 }  // namespace quadcut

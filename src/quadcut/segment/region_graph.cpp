@@ -14,6 +14,7 @@ namespace {
 constexpr float kFitsM = 0.25F;
 /// What is smaller is not somewhere to go to.
 constexpr double kPlaceM2 = 2.0;
+constexpr std::size_t kSaddlesPerChunk = 64;
 
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
@@ -34,15 +35,25 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
       saddles_(num_pieces + 1) {
     std::iota(region_.begin(), region_.end(), 0U);
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
-        if (pieces.values[i] == 0) continue;
-        const Cell cell = pieces.cell(i);
-        Extent& extent = extent_[pieces.values[i]];
-        extent.area_m2 += resolution_m * resolution_m;
-        extent.peak_m = std::max(extent.peak_m, static_cast<double>(clearance_m.values[i]));
-        extent.box.include({cell, cell});
-        if (cell.x + 1 < pieces.origin.x + pieces.width) meet(cell, {cell.x + 1, cell.y});
-        if (cell.y + 1 < pieces.origin.y + pieces.height) meet(cell, {cell.x, cell.y + 1});
+    const auto width = static_cast<std::size_t>(pieces.width);
+    const auto is_border = [&](std::uint32_t piece, std::size_t other) {
+        return pieces.values[other] != piece && pieces.values[other] != 0;
+    };
+    Cell cell = pieces.origin;
+    for (std::size_t row = 0; row < pieces.values.size(); row += width, ++cell.y) {
+        cell.x = pieces.origin.x;
+        for (std::size_t i = row; i < row + width; ++i, ++cell.x) {
+            const std::uint32_t piece = pieces.values[i];
+            if (piece == 0) continue;
+            Extent& extent = extent_[piece];
+            extent.area_m2 += resolution_m * resolution_m;
+            extent.peak_m = std::max(extent.peak_m, static_cast<double>(clearance_m.values[i]));
+            extent.box.include({cell, cell});
+            if (i + 1 < row + width && is_border(piece, i + 1)) meet(cell, {cell.x + 1, cell.y});
+            if (row + width < pieces.values.size() && is_border(piece, i + width)) {
+                meet(cell, {cell.x, cell.y + 1});
+            }
+        }
     }
 }
 
@@ -78,8 +89,32 @@ Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     return narrowing;
 }
 
-Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b) {
-    Narrowing narrowing = gauge_.measure(saddle, {pieces_, region_});
+void RegionGraph::measure_all(const Executor& executor) {
+    struct Task {
+        std::pair<std::uint32_t, std::uint32_t> pair;
+        const Saddle* saddle = nullptr;
+        Narrowing narrowing;
+    };
+    std::vector<Task> tasks;
+    for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
+        for (const auto& [other, saddle] : saddles_[region]) {
+            const bool is_known = measured_.count({region, other}) != 0;
+            if (region < other && !is_known) tasks.push_back({{region, other}, &saddle, {}});
+        }
+    }
+    parallel_for(executor, tasks.size(), kSaddlesPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     NarrowingGauge gauge(clearance_, resolution_m_);
+                     for (std::size_t i = first; i < last; ++i) {
+                         tasks[i].narrowing = gauge.measure(*tasks[i].saddle, {pieces_, region_});
+                     }
+                 });
+    for (Task& task : tasks) measured_.emplace(task.pair, std::move(task.narrowing));
+}
+
+Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
+                                  NarrowingGauge& gauge) const {
+    Narrowing narrowing = gauge.measure(saddle, {pieces_, region_});
     describe(a, b, narrowing);
     return narrowing;
 }
@@ -117,7 +152,6 @@ void RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t 
 void RegionGraph::meet(Cell cell_a, Cell cell_b) {
     const std::uint32_t a = pieces_.at(cell_a);
     const std::uint32_t b = pieces_.at(cell_b);
-    if (a == 0 || b == 0 || a == b) return;
     const float height = std::min(clearance_.at(cell_a), clearance_.at(cell_b));
     widen(saddles_[a], b, {cell_a, cell_b, height, 1});
     widen(saddles_[b], a, {cell_b, cell_a, height, 1});

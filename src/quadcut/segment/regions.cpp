@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
 
 namespace quadcut {
@@ -34,17 +35,26 @@ struct Part {
 
 /// Every part of a region but its largest.
 std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
-    std::vector<bool> seen(labels.values.size(), false);
+    const ConnectedParts parts = connected_parts(
+        labels, [&](std::size_t i) { return labels.values[i] != 0; },
+        [&](std::size_t i, std::size_t j) { return labels.values[i] == labels.values[j]; });
+    const std::vector<std::size_t> num_cells = parts.num_cells();
+    std::vector<bool> is_detached(num_cells.size(), false);
+    std::vector<bool> seen(num_cells.size(), false);
+    std::map<std::uint32_t, std::uint32_t> largest;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint32_t part = parts.labels.values[i];
+        if (part == 0 || seen[part]) continue;
+        seen[part] = true;
+        const auto [best, is_first] = largest.try_emplace(labels.values[i], part);
+        if (is_first) continue;
+        const bool is_larger = num_cells[part] > num_cells[best->second];
+        is_detached[is_larger ? best->second : part] = true;
+        if (is_larger) best->second = part;
+    }
     std::vector<Part> detached;
-    std::map<std::uint32_t, Part> largest;
-    for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
-        const std::uint32_t label = labels.values[seed];
-        if (label == 0 || seen[seed]) continue;
-        Part part{flood(labels, seed, seen, Connectivity::four,
-                        [&](std::size_t cell) { return labels.values[cell] == label; })};
-        Part& best = largest[label];
-        if (part.cells.size() > best.cells.size()) std::swap(part, best);
-        if (!part.cells.empty()) detached.push_back(std::move(part));
+    for (auto& cells : parts.cells_of(is_detached)) {
+        if (!cells.empty()) detached.push_back({std::move(cells)});
     }
     return detached;
 }
@@ -153,16 +163,20 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
         if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
         ++num_cells[label];
     }
-    std::vector<bool> seen(labels.values.size(), false);
-    for (std::size_t seed = 0; seed < labels.values.size(); ++seed) {
-        if (free.values[seed] == 0 || seen[seed]) continue;
-        const bool is_room = labels.values[seed] != 0;
-        const std::vector<std::size_t> pocket =
-            flood(labels, seed, seen, Connectivity::four, [&](std::size_t cell) {
-                return free.values[cell] != 0 && (labels.values[cell] != 0) == is_room;
-            });
+    const ConnectedParts parts = connected_parts(
+        labels, [&](std::size_t i) { return free.values[i] != 0; },
+        [&](std::size_t i, std::size_t j) {
+            return (labels.values[i] != 0) == (labels.values[j] != 0);
+        });
+    std::vector<bool> is_pocket;
+    for (const std::size_t size : parts.num_cells()) {
+        is_pocket.push_back(static_cast<double>(size) * cell_m2 <= kTimesLarger * max_pocket_m2);
+    }
+    is_pocket.front() = false;
+    for (const std::vector<std::size_t>& pocket : parts.cells_of(is_pocket)) {
+        if (pocket.empty()) continue;
+        const bool is_room = labels.values[pocket.front()] != 0;
         const double pocket_m2 = static_cast<double>(pocket.size()) * cell_m2;
-        if (pocket_m2 > kTimesLarger * max_pocket_m2) continue;
         const bool is_small = pocket_m2 <= max_pocket_m2;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));

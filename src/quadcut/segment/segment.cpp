@@ -32,6 +32,8 @@ namespace {
 
 /// What is enclosed by an outline up to this size is the inside of furniture.
 constexpr double kMaxPocketM2 = 4.0;
+/// No robot fits through what is narrower.
+constexpr double kMinDoorM = 0.3;
 
 /// The quadtree's leaves, and which of them are free: the nodes of the graph.
 struct FreeLeaves {
@@ -97,7 +99,8 @@ void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<flo
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
     }
-    result.doors = find_doors(labels, count, clearance, map.resolution_m, map.map_from_image);
+    result.doors = find_doors(labels, count, clearance, map.resolution_m, map.map_from_image,
+                              kMinDoorM, executor);
     result.rooms = describe_rooms(labels, count, map, result.doors, executor);
     result.next_id = count + 1;
     result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
@@ -138,8 +141,10 @@ void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fre
 /// whose regions all rooms are unions. Labels come out with regions of any number.
 Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& clearance,
                                   const Raster<std::uint8_t>& free, double resolution_m,
-                                  const SegmentOptions& options, Hierarchy& hierarchy) {
+                                  const SegmentOptions& options, const Executor& executor,
+                                  Hierarchy& hierarchy) {
     RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
+    regions.measure_all(executor);
     Fuser(regions, options.rooms.door_width_m).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
     Raster<std::uint32_t> labels = pieces.labels;
@@ -184,7 +189,7 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     clock.begin("fuse");
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
     const Raster<std::uint32_t> rooms =
-        fuse_pieces(pieces, clearance, free, map.resolution_m, options, result.hierarchy);
+        fuse_pieces(pieces, clearance, free, map.resolution_m, options, executor, result.hierarchy);
 
     Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
     Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);

@@ -152,7 +152,7 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     clear(83, 20, 87, 36);
     clear(83, 90, 87, 114);
     const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), 0.05);
-    const std::vector<Door> doors = find_doors(labels, 2, clearance, 0.05, map.map_from_image);
+    const std::vector<Door> doors = find_doors(labels, 2, clearance, 0.05, map.map_from_image, 0.3);
     ASSERT_EQ(doors.size(), 2U);
     EXPECT_NEAR(doors[0].width_m, 0.8, 0.06);
     EXPECT_NEAR(doors[1].width_m, 1.2, 0.06);

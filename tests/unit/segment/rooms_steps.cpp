@@ -50,9 +50,10 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (rooms.free.values[i] != 0) halves.values[i] = halves.cell(i).x < 84 ? 1 : 2;
     }
-    RegionGraph regions(halves, 2, rooms.clearance, rooms.map.resolution_m);
+    const RegionGraph regions(halves, 2, rooms.clearance, rooms.map.resolution_m);
     const Saddle saddle{{83, 38}, {84, 38}, rooms.clearance.at({83, 38})};
-    const Narrowing narrowing = regions.measure_at(saddle, 1, 2);
+    NarrowingGauge gauge(rooms.clearance, rooms.map.resolution_m);
+    const Narrowing narrowing = regions.measure_at(saddle, 1, 2, gauge);
     EXPECT_NEAR(saddle.clearance_m, 0.45F, 0.03F);
     EXPECT_GT(narrowing.narrower.peak_m.back(), 2.0 * narrowing.half_width_m);
     EXPECT_GE(narrowing.wider.peak_m.back(), narrowing.narrower.peak_m.back());
@@ -70,7 +71,7 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     }
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2)), door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)), door_log_odds(narrowing));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
@@ -84,9 +85,10 @@ TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
     }
-    RegionGraph regions(halves, 2, clearance, 0.05);
+    const RegionGraph regions(halves, 2, clearance, 0.05);
+    NarrowingGauge gauge(clearance, 0.05);
     const Narrowing narrowing =
-        regions.measure_at({{99, 21}, {100, 21}, clearance.at({99, 21}), 40}, 1, 2);
+        regions.measure_at({{99, 21}, {100, 21}, clearance.at({99, 21}), 40}, 1, 2, gauge);
     EXPECT_LT(door_log_odds(narrowing), 0.0);
     for (const auto& side : narrowing.opening.widening_m) {
         for (const double beyond_jamb : side) EXPECT_LT(beyond_jamb, 0.01) << "the walls go on";
