@@ -89,7 +89,7 @@ struct Candidate {
 
 std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth) {
     const auto kept = inside(map, {}, kMinComponentM2);
-    const auto open = open_space(kept, map.resolution_m, {RoomsOptions{}.max_furniture_m2});
+    const auto open = open_space(kept, map.resolution_m, RoomsOptions{}.max_furniture_m2);
     const Raster<float> clearance = clearance_m(open, map.resolution_m);
     const Basins basins = build_basins(clearance, map.resolution_m);
     RegionGraph regions(basins.labels, basins.count, clearance, map.resolution_m);

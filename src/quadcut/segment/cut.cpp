@@ -87,7 +87,7 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& 
         waiting.pop_back();
         clock.begin("eigen");
         const Eigenpairs pairs =
-            eigenpairs_below(part.graph, LaplacianKind::area, options.max_eigenvalue_per_m2,
+            eigenpairs_below(part.graph, options.laplacian, options.max_eigenvalue_per_m2,
                              options.max_pairs, eigen_options, executor);
         pieces.eigen.push_back(report_of(pairs));
         const auto finish = [&](const std::vector<std::uint32_t>& nodes) {

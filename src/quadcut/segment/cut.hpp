@@ -46,10 +46,11 @@ struct OverCutOptions {
     /// Eigenpairs of one solve; a region with more of them below the limit is cut recursively, so
     /// that no solve grows with the size of the map.
     std::size_t max_pairs = 24;
+    LaplacianKind laplacian = LaplacianKind::area;
     std::uint64_t seed = 1;
 };
 
-/// Cuts a region finer than rooms: area-normalised Laplacian, all eigenvectors below the limit,
+/// Cuts a region finer than rooms: by default an area-normalised Laplacian, all eigenvectors below the limit,
 /// column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.8 / m^2 gives
 /// pieces of about 16 m^2; every doorway is among the cuts, and so are many that are none.
 /// Throws NumericalError if the eigensolver fails its own checks.

@@ -14,13 +14,14 @@ namespace {
 /// From granularity 0 to 1 the threshold falls by so much: the range in which rooms differ.
 constexpr double kLogOddsOfGranularity = 12.0;
 constexpr double kNoDoor = -100.0;
+/// By the ratio, openings of no width have the highest granularity's log-odds.
+constexpr double kLogOddsOfRatio = 8.0;
 
 }  // namespace
 
 double fuse_threshold(double granularity) { return kLogOddsOfGranularity * (0.5 - granularity); }
 
-Fuser::Fuser(RegionGraph& regions, double max_width_m)
-    : regions_(regions), max_width_m_(max_width_m) {
+Fuser::Fuser(RegionGraph& regions, const DoorRule& rule) : regions_(regions), rule_(rule) {
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other > region) push(region, other);
@@ -31,10 +32,15 @@ Fuser::Fuser(RegionGraph& regions, double max_width_m)
 void Fuser::push(std::uint32_t a, std::uint32_t b) {
     // A pair has the same place in the order from whichever side it is looked at.
     if (a > b) std::swap(a, b);
-    const Saddle& saddle = regions_.saddles(a).at(b);
-    const bool is_too_wide = 2.0 * static_cast<double>(saddle.clearance_m) > max_width_m_;
-    queue_.push({is_too_wide ? kNoDoor : door_log_odds(regions_.measure(a, b)), a, b,
-                 regions_.version(a), regions_.version(b)});
+    queue_.push({log_odds(a, b), a, b, regions_.version(a), regions_.version(b)});
+}
+
+double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
+    const auto half_width_m = static_cast<double>(regions_.saddles(a).at(b).clearance_m);
+    if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
+    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));
+    const double ratio = half_width_m / std::min(regions_.peak_m(a), regions_.peak_m(b));
+    return kLogOddsOfRatio * (rule_.min_ratio - ratio);
 }
 
 void Fuser::fuse_below(double min_log_odds) {

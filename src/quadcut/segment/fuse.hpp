@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
@@ -15,12 +16,20 @@ namespace quadcut {
 /// the default of 0.5.
 [[nodiscard]] double fuse_threshold(double granularity);
 
+/// How door-like a cut is.
+struct DoorRule {
+    /// Openings that are wider separate nothing.
+    double max_width_m = 4.0;
+    FuseRule by = FuseRule::model;
+    /// By the ratio: what is narrower is a door.
+    double min_ratio = 0.75;
+};
+
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
 class Fuser {
 public:
-    /// Openings wider than `max_width_m` separate nothing. The regions must outlive the fuser, and
-    /// nothing else may join them while it is in use.
-    Fuser(RegionGraph& regions, double max_width_m);
+    /// The regions must outlive the fuser, and nothing else may join them while it is in use.
+    Fuser(RegionGraph& regions, const DoorRule& rule);
 
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
@@ -41,9 +50,10 @@ private:
     };
 
     void push(std::uint32_t a, std::uint32_t b);
+    [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
 
     RegionGraph& regions_;
-    double max_width_m_;
+    DoorRule rule_;
     std::priority_queue<Candidate> queue_;
 };
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
-#include "quadcut/segment/fuse.hpp"
 
 namespace quadcut {
 namespace {
@@ -34,7 +33,7 @@ HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint3
 }  // namespace
 
 Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                          double max_width_m) {
+                          const DoorRule& rule) {
     std::vector<std::uint32_t> finest;
     std::vector<std::uint32_t> number(regions.num_pieces() + 1, 0);
     Hierarchy hierarchy;
@@ -52,7 +51,7 @@ Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regio
         throw InputError("the finest level of the hierarchy has " + std::to_string(finest.size()) +
                          " regions: expected at most 65535, the range of a label");
     }
-    Fuser fuser(regions, max_width_m);
+    Fuser fuser(regions, rule);
     for (int step = kNumSteps; step >= 0; --step) {
         const double granularity = static_cast<double>(step) / kNumSteps;
         fuser.fuse_below(fuse_threshold(granularity));

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/region_graph.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
@@ -15,6 +16,6 @@ namespace quadcut {
 /// Positions are those of `labels`. Throws InputError when there are more than 65535 regions.
 /// O(cells, and what fusing costs).
 [[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                                        double max_width_m);
+                                        const DoorRule& rule);
 
 }  // namespace quadcut

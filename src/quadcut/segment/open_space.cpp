@@ -6,16 +6,21 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/map/clearance.hpp"
 #include "quadcut/map/flood.hpp"
 
 namespace quadcut {
 namespace {
 
 constexpr int kNumDirections = 36;
-constexpr std::size_t kNumTried = 12;
+/// Cells of an obstacle are tried about so far apart, and at most so many.
+constexpr double kBetweenTriedM = 0.1;
+constexpr std::size_t kMaxTried = 12;
+constexpr std::size_t kObstaclesPerChunk = 16;
 /// Doors beside a pier are at most this wide.
 constexpr double kMaxGapM = 1.6;
 /// A flaw of the map leaves a gap of at most this; to one side is enough.
@@ -24,34 +29,48 @@ constexpr double kFlawM = 0.1;
 constexpr double kMinWallM = 0.4;
 constexpr double kMinPieceM = 0.2;
 constexpr double kFaceM = 0.25;
+/// By the reach, furniture has so much room around it when no other furniture is there.
+constexpr float kReachM = 0.75F;
 
 /// Questions about free space; positions and lengths in cells.
 class WallSeeker {
 public:
     WallSeeker(const Raster<std::uint8_t>& free, double resolution_m)
         : free_(free),
+          between_tried_(kBetweenTriedM / resolution_m),
           flaw_(kFlawM / resolution_m),
           max_gap_(kMaxGapM / resolution_m),
           min_wall_(kMinWallM / resolution_m),
           min_piece_(kMinPieceM / resolution_m),
-          face_(kFaceM / resolution_m) {}
+          face_(kFaceM / resolution_m) {
+        for (int k = 0; k < kNumDirections; ++k) {
+            const double angle = std::numbers::pi * k / kNumDirections;
+            directions_.push_back({std::cos(angle), std::sin(angle)});
+        }
+    }
 
     /// Whether an obstacle is a part of a wall with a gap on both sides of it, as the pier between
     /// two doors and what a flaw of the map has cut off: in some direction through it
     /// there is a wall end on both sides.
     [[nodiscard]] bool is_pier(const std::vector<std::size_t>& obstacle) const {
-        // The leaf of an open door may stand out of a pier: some of its cells are tried.
-        const std::size_t stride = std::max<std::size_t>(1, obstacle.size() / kNumTried);
+        // The leaf of an open door may stand out of a pier: cells all over it are tried.
+        Box box;
+        for (const std::size_t offset : obstacle) box.include({free_.cell(offset), free_.cell(offset)});
+        const double extent = std::hypot(box.width() - 1, box.height() - 1);
+        const std::size_t num_tried =
+            std::min(kMaxTried, 1 + static_cast<std::size_t>(extent / between_tried_));
+        const std::size_t stride = std::max<std::size_t>(1, obstacle.size() / num_tried);
         for (std::size_t i = stride / 2; i < obstacle.size(); i += stride) {
             const Cell cell = free_.cell(obstacle[i]);
             const Point middle{cell.x + 0.5, cell.y + 0.5};
-            for (int k = 0; k < kNumDirections; ++k) {
-                const double angle = std::numbers::pi * k / kNumDirections;
-                const Point along{std::cos(angle), std::sin(angle)};
-                const double ahead = gap_to_wall(middle, along);
-                const double behind = gap_to_wall(middle, {-along.x, -along.y});
+            for (const Point& along : directions_) {
+                const double ahead = gap_to_wall(middle, along, max_gap_);
+                const double behind = gap_to_wall(middle, {-along.x, -along.y},
+                                                  std::isinf(ahead) ? flaw_ : max_gap_);
                 if (std::max(ahead, behind) <= max_gap_) return true;
-                if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(middle, along)) return true;
+                if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(middle, along)) {
+                    return true;
+                }
             }
         }
         return false;
@@ -84,8 +103,9 @@ private:
         return length >= min_piece_;
     }
     /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
-    /// length of the gap; infinite when there is no such wall.
-    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along) const {
+    /// length of the gap; infinite when there is no such wall within `max_gap`.
+    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along,
+                                     double max_gap) const {
         constexpr double kNone = std::numeric_limits<double>::infinity();
         const auto at = [&](double t) { return Point{from.x + t * along.x, from.y + t * along.y}; };
         double t = 0.0;
@@ -95,7 +115,7 @@ private:
         }
         const double edge = t;
         while (is_free(at(t))) {
-            if (t - edge > max_gap_) return kNone;
+            if (t - edge > max_gap) return kNone;
             t += 1.0;
         }
         const double gap = t - edge;
@@ -109,6 +129,8 @@ private:
     }
 
     const Raster<std::uint8_t>& free_;
+    std::vector<Point> directions_;
+    double between_tried_;
     double flaw_;
     double max_gap_;
     double min_wall_;
@@ -116,26 +138,60 @@ private:
     double face_;
 };
 
+using Obstacles = std::vector<std::vector<std::size_t>>;
+
+/// What is connected, does not leave the raster, and has fewer cells than `max_cells`.
+Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells) {
+    Obstacles small;
+    std::vector<bool> seen(free.values.size(), false);
+    for (std::size_t seed = 0; seed < free.values.size(); ++seed) {
+        if (free.values[seed] != 0 || seen[seed]) continue;
+        std::vector<std::size_t> obstacle =
+            flood(free, seed, seen, Connectivity::eight,
+                  [&](std::size_t cell) { return free.values[cell] == 0; });
+        if (static_cast<double>(obstacle.size()) < max_cells &&
+            std::none_of(obstacle.begin(), obstacle.end(),
+                         [&](std::size_t cell) { return is_on_edge(free, cell); })) {
+            small.push_back(std::move(obstacle));
+        }
+    }
+    return small;
+}
+
+void set_all(Raster<std::uint8_t>& open, const Obstacles& obstacles, std::uint8_t value) {
+    for (const auto& obstacle : obstacles) {
+        for (const std::size_t cell : obstacle) open.values[cell] = value;
+    }
+}
+
 }  // namespace
 
 Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
-                                const OpenSpaceOptions& options) {
+                                double max_furniture_m2, FurnitureRule rule,
+                                const Executor& executor) {
+    const Obstacles small =
+        small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m));
+    std::vector<std::uint8_t> is_wall(small.size(), 0);
     Raster<std::uint8_t> open = kept;
-    const WallSeeker walls(kept, resolution_m);
-    const double max_cells = options.max_furniture_m2 / (resolution_m * resolution_m);
-    std::vector<bool> seen(kept.values.size(), false);
-    for (std::size_t seed = 0; seed < kept.values.size(); ++seed) {
-        if (kept.values[seed] != 0 || seen[seed]) continue;
-        const std::vector<std::size_t> obstacle =
-            flood(kept, seed, seen, Connectivity::eight,
-                  [&](std::size_t cell) { return kept.values[cell] == 0; });
-        const bool is_furniture =
-            static_cast<double>(obstacle.size()) < max_cells &&
-            std::none_of(obstacle.begin(), obstacle.end(),
-                         [&](std::size_t cell) { return is_on_edge(kept, cell); }) &&
-            !walls.is_pier(obstacle);
-        if (!is_furniture) continue;
-        for (const std::size_t cell : obstacle) open.values[cell] = 1;
+    set_all(open, small, 1);
+    if (rule == FurnitureRule::off_wall) {
+        const WallSeeker walls(kept, resolution_m);
+        parallel_for(executor, small.size(), kObstaclesPerChunk,
+                     [&](std::size_t first, std::size_t last) {
+                         for (std::size_t i = first; i < last; ++i) {
+                             is_wall[i] = walls.is_pier(small[i]) ? 1 : 0;
+                         }
+                     });
+    } else if (rule == FurnitureRule::reach) {
+        const Raster<float> clearance = clearance_m(open, resolution_m, executor);
+        for (std::size_t i = 0; i < small.size(); ++i) {
+            is_wall[i] = std::all_of(small[i].begin(), small[i].end(), [&](std::size_t cell) {
+                return clearance.values[cell] < kReachM;
+            }) ? 1 : 0;
+        }
+    }
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        if (is_wall[i] != 0) set_all(open, {small[i]}, 0);
     }
     return open;
 }

@@ -52,6 +52,14 @@ FreeLeaves free_leaves(const GridMap& map) {
     return leaves;
 }
 
+void paint_leaf(const Leaf& leaf, std::uint32_t label, Raster<std::uint32_t>& labels) {
+    for (std::int32_t y = 0; y < leaf.side_cells(); ++y) {
+        for (std::int32_t x = 0; x < leaf.side_cells(); ++x) {
+            labels.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) = label;
+        }
+    }
+}
+
 /// A map whose free cells are the open ones.
 GridMap map_of(const Raster<std::uint8_t>& open, double resolution_m) {
     GridMap map;
@@ -108,8 +116,19 @@ void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<flo
                    [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
 }
 
+/// The spectral over-cut as labels.
+Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>& clearance) {
+    Basins painted{Raster<std::uint32_t>(clearance.origin, clearance.width, clearance.height),
+                   static_cast<std::uint32_t>(pieces.count)};
+    for (std::size_t node = 0; node < leaves.nodes.size(); ++node) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[node]);
+        paint_leaf(leaf, pieces.piece_of_node[node] + 1, painted.labels);
+    }
+    return painted;
+}
+
 /// The spectral over-cut, its borders moved to the narrowest lines.
-Basins snapped_over_cut(const GridMap& open_map, const Raster<float>& clearance,
+Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
                         const SegmentOptions& options, StageClock& clock, const Executor& executor,
                         SegmentReport& report) {
     clock.begin("map");
@@ -119,14 +138,26 @@ Basins snapped_over_cut(const GridMap& open_map, const Raster<float>& clearance,
                                          options.rooms.full_clearance_m, executor);
     OverCutOptions over_cut_options;
     over_cut_options.max_eigenvalue_per_m2 = options.rooms.max_eigenvalue_per_m2;
+    over_cut_options.laplacian = options.rooms.laplacian;
     over_cut_options.seed = options.seed;
     Pieces pieces = over_cut(graph, over_cut_options, clock, executor);
     report.num_leaves = leaves.nodes.size();
     report.num_edges = num_edges(graph);
     report.eigen = std::move(pieces.eigen);
+    if (options.rooms.pieces == PieceSource::unsnapped) return paint(pieces, leaves, clearance);
     clock.begin("snap");
     return snap_to_basins(build_basins(clearance, open_map.resolution_m), leaves.table,
                           leaves.nodes, pieces.piece_of_node);
+}
+
+Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& clearance,
+                   double resolution_m, const SegmentOptions& options, StageClock& clock,
+                   const Executor& executor, SegmentReport& report) {
+    if (options.rooms.pieces == PieceSource::basins) {
+        clock.begin("basins");
+        return build_basins(clearance, resolution_m);
+    }
+    return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
 }
 
 /// What is enclosed by furniture belongs to the room around it; rooms stay connected.
@@ -145,7 +176,8 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
                                   Hierarchy& hierarchy) {
     RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
     regions.measure_all(executor);
-    Fuser(regions, options.rooms.door_width_m).fuse_below(fuse_threshold(1.0));
+    const DoorRule rule{options.rooms.door_width_m, options.rooms.fuse, options.rooms.min_ratio};
+    Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
     Raster<std::uint32_t> labels = pieces.labels;
     relabel(regions, labels);
@@ -153,10 +185,9 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
     drop_impassable(labels, clearance, options.rooms.min_passable_m);
     tidy_pockets(labels, free, resolution_m);
     if (options.with_hierarchy) {
-        hierarchy = build_hierarchy(labels, regions, options.rooms.door_width_m);
+        hierarchy = build_hierarchy(labels, regions, rule);
     }
-    Fuser(regions, options.rooms.door_width_m)
-        .fuse_below(fuse_threshold(options.rooms.granularity));
+    Fuser(regions, rule).fuse_below(fuse_threshold(options.rooms.granularity));
     relabel(regions, labels);
     // A large table in a hall may have had several regions around it.
     tidy_pockets(labels, free, resolution_m);
@@ -177,14 +208,12 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     // 2. Clearance, in which furniture does not count.
     clock.begin("clearance");
     const Raster<std::uint8_t> open =
-        open_space(kept, map.resolution_m, {options.rooms.max_furniture_m2});
+        open_space(kept, map.resolution_m, options.rooms.max_furniture_m2, options.rooms.furniture,
+                   executor);
     const Raster<float> clearance = clearance_m(open, map.resolution_m, executor);
-    // 3. The quadtree of the open space, the graph of its leaves, and its spectral over-cut; or the
-    //    basins of the clearance alone.
-    const Basins pieces = options.rooms.pieces == PieceSource::spectral
-                              ? snapped_over_cut(map_of(open, map.resolution_m), clearance, options,
-                                                 clock, executor, result.report)
-                              : build_basins(clearance, map.resolution_m);
+    // 3. Pieces: the basins of the clearance, or the spectral over-cut of the quadtree's leaves.
+    const Basins pieces = find_pieces(open, clearance, map.resolution_m, options, clock, executor,
+                                      result.report);
     // 4. Pieces are fused into rooms.
     clock.begin("fuse");
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
@@ -239,12 +268,7 @@ Raster<std::uint32_t> paint_submaps(const GridMap& map, const FreeLeaves& leaves
     Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const Leaf& leaf = leaves.table.leaf(leaves.nodes[nodes[i]]);
-        for (std::int32_t y = 0; y < leaf.side_cells(); ++y) {
-            for (std::int32_t x = 0; x < leaf.side_cells(); ++x) {
-                labels.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) =
-                    pieces.piece_of_node[i] + 1;
-            }
-        }
+        paint_leaf(leaf, pieces.piece_of_node[i] + 1, labels);
     }
     if (trajectory.empty()) return labels;
     std::vector<bool> is_crossed(pieces.count + 1, false);

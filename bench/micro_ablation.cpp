@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// What each ingredient is worth: hand-labelled maps with one thing changed at a time.
+//   micro_ablation [BUILDING] [--simulated N] [-o FILE.csv]
+// tools/train/ablation.py runs it with each building left out of the training of the door model,
+// and makes the table.
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/baseline.hpp"
+#include "bench/building_case.hpp"
+#include "bench/cases.hpp"
+#include "bench/data_map.hpp"
+#include "io/score.hpp"
+#include "quadcut/segment/segment.hpp"
+
+namespace quadcut {
+namespace {
+
+/// Gives about as many pieces as 0.8 / m^2 does by area.
+constexpr double kDegreeEigenvalue = 0.08;
+
+struct Variant {
+    std::string ingredient;
+    std::string name;
+    std::function<void(SegmentOptions&)> change;
+};
+
+/// By the ratio, with a threshold: tools/train/ablation.py chooses it for a building by the others.
+Variant by_ratio(int percent) {
+    return {"fuse rule", "ratio " + std::to_string(percent), [percent](SegmentOptions& options) {
+                options.rooms.fuse = FuseRule::ratio;
+                options.rooms.min_ratio = 0.01 * percent;
+            }};
+}
+
+/// By what the eigenvalues of the over-cut are compared with: pieces of about 16 m^2 at 0.8 / m^2.
+Variant spectral(const std::string& ingredient, const std::string& name,
+                 const std::function<void(RoomsOptions&)>& change) {
+    return {ingredient, name, [change](SegmentOptions& options) {
+                options.rooms.pieces = PieceSource::spectral;
+                change(options.rooms);
+            }};
+}
+
+std::vector<Variant> variants() {
+    std::vector<Variant> all{
+        {"", "as it is", [](SegmentOptions&) {}},
+        spectral("pieces", "spectral, snapped to basins", [](RoomsOptions&) {}),
+        spectral("pieces", "spectral alone, not snapped",
+                 [](RoomsOptions& rooms) { rooms.pieces = PieceSource::unsnapped; }),
+        spectral("over-cut", "spectral, pieces twice as large",
+                 [](RoomsOptions& rooms) { rooms.max_eigenvalue_per_m2 = 0.4; }),
+        spectral("over-cut", "spectral, pieces a quarter as large",
+                 [](RoomsOptions& rooms) { rooms.max_eigenvalue_per_m2 = 3.2; }),
+        spectral("edge weight", "spectral, length of border only",
+                 [](RoomsOptions& rooms) { rooms.full_clearance_m = 0.01; }),
+        spectral("normalisation", "spectral, by degree", [](RoomsOptions& rooms) {
+            rooms.laplacian = LaplacianKind::degree;
+            rooms.max_eigenvalue_per_m2 = kDegreeEigenvalue;
+        })};
+    all.push_back({"furniture", "every obstacle counts",
+                   [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }});
+    all.push_back({"furniture", "small ones do not count", [](SegmentOptions& options) {
+                       options.rooms.furniture = FurnitureRule::size;
+                   }});
+    all.push_back({"furniture", "small ones with room around do not", [](SegmentOptions& options) {
+                       options.rooms.furniture = FurnitureRule::reach;
+                   }});
+    for (int percent = 55; percent <= 90; percent += 5) all.push_back(by_ratio(percent));
+    all.push_back({"watershed baseline", "no furniture, one ratio",
+                   [](SegmentOptions& options) { options = watershed_baseline(); }});
+    return all;
+}
+
+struct Score {
+    double pq = 0.0;
+    double elapsed_ms = 0.0;
+};
+
+Score try_variant(const Variant& variant, const GridMap& map, std::span<const Point> trajectory,
+                  const io::LabelImage& truth) {
+    SegmentOptions options;
+    variant.change(options);
+    options.num_threads = 1;
+    const auto start = std::chrono::steady_clock::now();
+    const Segmentation rooms = segment(map, options, trajectory);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    return {io::score_rooms(as_label_image(rooms.labels), truth).pq, elapsed.count()};
+}
+
+class Table {
+public:
+    explicit Table(const std::string& path) {
+        if (!path.empty()) csv_.open(path);
+        if (csv_.is_open()) csv_ << "kind,map,ingredient,variant,pq,ms\n";
+    }
+    void add(const std::string& kind, const std::string& map, const Variant& variant,
+             const Score& score) {
+        std::printf("%-10s %-32s %-20s %-36s %5.1f %7.1f ms\n", kind.c_str(), map.c_str(),
+                    variant.ingredient.c_str(), variant.name.c_str(), 100.0 * score.pq,
+                    score.elapsed_ms);
+        if (!csv_.is_open()) return;
+        csv_ << kind << ',' << map << ',' << variant.ingredient << ",\"" << variant.name << "\","
+             << 100.0 * score.pq << ',' << score.elapsed_ms << '\n';
+    }
+
+private:
+    std::ofstream csv_;
+};
+
+int run(int argc, char** argv) {
+    std::string building;
+    std::size_t num_simulated = 0;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (argument == "-o") {
+            ++i;
+        } else if (argument == "--simulated" && i + 1 < argc) {
+            num_simulated = std::stoul(argv[++i]);
+        } else {
+            building = argument;
+        }
+    }
+    Table table(output_path(argc, argv));
+    const std::vector<Variant> all = variants();
+    for (const DataMap& data : read_data_maps(building)) {
+        const io::LabelImage truth = as_label_image(as_raster(data.truth));
+        for (const Variant& variant : all) {
+            table.add(data.kind, data.name, variant, try_variant(variant, data.map, {}, truth));
+        }
+    }
+    for (std::size_t i = 0; i < num_simulated; ++i) {
+        const MappedBuilding mapped = map_building(building_case(i));
+        const io::LabelImage truth = as_label_image(mapped.truth);
+        const std::string name = "seed " + std::to_string(building_case(i).seed);
+        for (const Variant& variant : all) {
+            table.add("simulated", name, variant,
+                      try_variant(variant, mapped.map, mapped.trajectory, truth));
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) { return quadcut::run(argc, argv); }
