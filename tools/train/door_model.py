@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The quadcut developers
 """Trains the door model: decisions in, src/quadcut/segment/door_trees.cpp out.
 
-  build/release/bench/micro_doors -o build/doors.csv --buildings 300
+  build/release/bench/micro_doors -o build/doors.csv --buildings 600
   tools/train/door_model.py build/doors.csv                         writes the trees
   tools/train/door_model.py build/doors.csv --leave-out NAME -o F   without the maps of one building
 
@@ -20,10 +20,10 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 NUM_TREES = 40
 # Forests that are averaged: all but the first weigh the buildings at random, which steadies the sum.
-NUM_FORESTS = 3
+NUM_FORESTS = 6
 NUM_LEAVES = 6
 # Hand-made truth is what counts, and there is little of it: each decision counts this often.
-HAND_MADE = {"plain": 6.0, "furnished": 6.0, "kth": 6.0}
+HAND_MADE = {"plain": 10.0, "furnished": 10.0, "kth": 10.0}
 LEARNING_RATE = 0.2
 TREES = Path(__file__).parents[2] / "src/quadcut/segment/door_trees.cpp"
 

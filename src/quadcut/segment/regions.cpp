@@ -175,7 +175,10 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
     is_pocket.front() = false;
     for (const std::vector<std::size_t>& pocket : parts.cells_of(is_pocket)) {
         if (pocket.empty()) continue;
-        const bool is_room = labels.values[pocket.front()] != 0;
+        const std::uint32_t label = labels.values[pocket.front()];
+        const bool is_room = label != 0;
+        // It is connected with a room through furniture, or has been adopted before.
+        if (is_room && num_cells[label] > 2 * pocket.size()) continue;
         const double pocket_m2 = static_cast<double>(pocket.size()) * cell_m2;
         const bool is_small = pocket_m2 <= max_pocket_m2;
         std::vector<std::uint32_t> own;
@@ -193,8 +196,8 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
             labels.values[pocket[i]] = is_adopted ? room : own[i];
         }
         if (!is_adopted) continue;
-        for (const auto& [label, arrival] : walk.arrivals) {
-            if (label != room) continue;
+        for (const auto& [reached, arrival] : walk.arrivals) {
+            if (reached != room) continue;
             for (std::size_t cell = arrival; labels.values[cell] == 0;
                  cell = walk.reached_from.at(cell)) {
                 labels.values[cell] = room;
