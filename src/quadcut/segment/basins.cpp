@@ -12,6 +12,7 @@ namespace quadcut {
 namespace {
 
 constexpr double kSmoothingM = 0.05;
+constexpr std::size_t kRowsPerChunk = 64;
 
 std::vector<float> gaussian_kernel(double sigma_cells) {
     const int radius = static_cast<int>(std::ceil(3.0 * sigma_cells));
@@ -25,31 +26,37 @@ std::vector<float> gaussian_kernel(double sigma_cells) {
 }
 
 /// Separable smoothing; the outside counts as 0, as it has no clearance.
-Raster<float> smooth(const Raster<float>& in, double sigma_cells) {
+Raster<float> smooth(const Raster<float>& in, double sigma_cells, const Executor& executor) {
     const std::vector<float> kernel = gaussian_kernel(sigma_cells);
     const auto radius = static_cast<std::int32_t>(kernel.size() / 2);
     if (radius == 0) return in;
-    Raster<float> across(in.origin, in.width, in.height);
     const auto width = static_cast<std::size_t>(in.width);
-    for (std::int32_t y = 0; y < in.height; ++y) {
-        const float* row = &in.values[static_cast<std::size_t>(y) * width];
-        float* out = &across.values[static_cast<std::size_t>(y) * width];
-        for (std::int32_t k = -radius; k <= radius; ++k) {
-            const float weight = kernel[static_cast<std::size_t>(k + radius)];
-            const std::int32_t last = std::min(in.width, in.width - k);
-            for (std::int32_t x = std::max(0, -k); x < last; ++x) out[x] += weight * row[x + k];
+    const auto height = static_cast<std::size_t>(in.height);
+    Raster<float> across(in.origin, in.width, in.height);
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            const float* row = &in.values[y * width];
+            float* out = &across.values[y * width];
+            for (std::int32_t k = -radius; k <= radius; ++k) {
+                const float weight = kernel[static_cast<std::size_t>(k + radius)];
+                const std::int32_t end = std::min(in.width, in.width - k);
+                for (std::int32_t x = std::max(0, -k); x < end; ++x) out[x] += weight * row[x + k];
+            }
         }
-    }
+    });
     Raster<float> result(in.origin, in.width, in.height);
-    for (std::int32_t y = 0; y < in.height; ++y) {
-        float* out = &result.values[static_cast<std::size_t>(y) * width];
-        for (std::int32_t k = -radius; k <= radius; ++k) {
-            if (y + k < 0 || y + k >= in.height) continue;
-            const float weight = kernel[static_cast<std::size_t>(k + radius)];
-            const float* row = &across.values[static_cast<std::size_t>(y + k) * width];
-            for (std::size_t x = 0; x < width; ++x) out[x] += weight * row[x];
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            float* out = &result.values[y * width];
+            for (std::int32_t k = -radius; k <= radius; ++k) {
+                const std::int64_t from = static_cast<std::int64_t>(y) + k;
+                if (from < 0 || from >= in.height) continue;
+                const float weight = kernel[static_cast<std::size_t>(k + radius)];
+                const float* row = &across.values[static_cast<std::size_t>(from) * width];
+                for (std::size_t x = 0; x < width; ++x) out[x] += weight * row[x];
+            }
         }
-    }
+    });
     return result;
 }
 
@@ -76,12 +83,13 @@ std::vector<std::uint32_t> cells_downhill(const Raster<float>& clearance,
 
 }  // namespace
 
-Basins build_basins(const Raster<float>& clearance_m, double resolution_m) {
+Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
+                    const Executor& executor) {
     Basins basins;
     basins.labels =
         Raster<std::uint32_t>(clearance_m.origin, clearance_m.width, clearance_m.height);
     if (clearance_m.values.empty()) return basins;
-    const Raster<float> height = smooth(clearance_m, kSmoothingM / resolution_m);
+    const Raster<float> height = smooth(clearance_m, kSmoothingM / resolution_m, executor);
     struct Step {
         std::int32_t dx, dy;
         float inverse_length;

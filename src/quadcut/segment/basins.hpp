@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -18,6 +19,7 @@ struct Basins {
 /// smoothing it a little (sigma = 0.05 m) so that the ridges of a raster do not make basins of
 /// their own. Each basin is 8-connected and has one summit; basins meet at the narrow places.
 /// O(cells). Deterministic.
-[[nodiscard]] Basins build_basins(const Raster<float>& clearance_m, double resolution_m);
+[[nodiscard]] Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
+                                  const Executor& executor = {});
 
 }  // namespace quadcut

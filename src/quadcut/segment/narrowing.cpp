@@ -3,6 +3,7 @@
 #include "quadcut/segment/narrowing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -25,60 +26,67 @@ NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resoluti
       resolution_m_(resolution_m),
       stride_cells_(stride_of(resolution_m)),
       step_m_(stride_cells_ * resolution_m),
-      radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 1),
-      side_(2 * radius_ + 1),
-      places_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)),
+      radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 2),
+      row_bits_(static_cast<unsigned>(std::bit_width(2U * static_cast<unsigned>(radius_)))),
+      places_((2U * static_cast<std::size_t>(radius_) + 1) << row_bits_),
       buckets_(static_cast<std::size_t>(5.0 * kNarrowingReachM / step_m_) + 10) {}
 
-/// Nearest places first (Dial's buckets).
+/// Nearest places first (Dial's buckets). No path is long enough to leave the window.
 SideOfSaddle NarrowingGauge::walk_outward(Cell seed, const Direction& along,
                                           const RegionsView& regions) {
     constexpr auto kUnreached = static_cast<std::uint32_t>(-1);
     const std::uint32_t region = regions.region_at(clearance_.offset(seed));
-    const auto reach = [&](std::int32_t x, std::int32_t y, std::size_t length) {
-        if (std::abs(x) > radius_ || std::abs(y) > radius_) return;
-        const auto at = static_cast<std::uint32_t>((y + radius_) * side_ + x + radius_);
+    const std::uint32_t row_mask = (1U << row_bits_) - 1;
+    const auto enter = [&](Place& place, std::uint32_t at) {
+        place.walk = walk_;
+        place.length = 0;
+        const std::int32_t x = static_cast<std::int32_t>(at & row_mask) - radius_;
+        const std::int32_t y = static_cast<std::int32_t>(at >> row_bits_) - radius_;
+        const Cell cell{seed.x + x * stride_cells_, seed.y + y * stride_cells_};
+        if (!clearance_.contains(cell)) return;
+        const std::size_t offset = clearance_.offset(cell);
+        if (regions.region_at(offset) != region) return;
+        place.length = kUnreached;
+        place.clearance_m = clearance_.values[offset];
+        place.aside = static_cast<float>(x * along.x + y * along.y);
+    };
+    const auto reach = [&](std::uint32_t at, std::uint32_t length) {
         Place& place = places_[at];
-        if (std::exchange(place.walk, walk_) != walk_) {
-            const Cell cell{seed.x + x * stride_cells_, seed.y + y * stride_cells_};
-            const bool is_inside = clearance_.contains(cell) &&
-                                   regions.region_at(clearance_.offset(cell)) == region;
-            place.length = is_inside ? kUnreached : 0;
-        }
+        if (place.walk != walk_) enter(place, at);
         if (length >= place.length) return;
-        place.length = static_cast<std::uint32_t>(length);
+        place.length = length;
         buckets_[length].push_back(at);
     };
     ++walk_;
     for (auto& bucket : buckets_) bucket.clear();
     // The length 0 means something else.
-    constexpr std::size_t kStart = 1;
-    reach(0, 0, kStart);
+    constexpr std::uint32_t kStart = 1;
+    const auto centre = static_cast<std::uint32_t>(radius_);
+    reach((centre << row_bits_) + centre, kStart);
+    const std::uint32_t up = 1U << row_bits_;
     SideOfSaddle side;
-    double peak_m = 0.0;
+    float peak_m = 0.0F;
     double num_places = 0.0;
     double sum_squares = 0.0;
-    for (std::size_t length = kStart; length + 8 < buckets_.size(); ++length) {
+    for (std::uint32_t length = kStart; length + 8 < buckets_.size(); ++length) {
         for (std::size_t i = 0; i < buckets_[length].size(); ++i) {
             const std::uint32_t at = buckets_[length][i];
-            if (places_[at].length != length) continue;
-            const std::int32_t x = static_cast<std::int32_t>(at) % side_ - radius_;
-            const std::int32_t y = static_cast<std::int32_t>(at) / side_ - radius_;
-            const Cell cell{seed.x + x * stride_cells_, seed.y + y * stride_cells_};
-            peak_m = std::max(peak_m, static_cast<double>(clearance_.at(cell)));
-            const double aside = x * along.x + y * along.y;
-            sum_squares += aside * aside;
+            const Place& place = places_[at];
+            if (place.length != length) continue;
+            peak_m = std::max(peak_m, place.clearance_m);
+            sum_squares += static_cast<double>(place.aside) * place.aside;
             num_places += 1.0;
-            for (std::int32_t dy = -1; dy <= 1; ++dy) {
-                for (std::int32_t dx = -1; dx <= 1; ++dx) {
-                    reach(x + dx, y + dy, length + (dx != 0 && dy != 0 ? 7U : 5U));
-                }
+            for (const std::uint32_t next : {at - 1, at + 1, at - up, at + up}) {
+                reach(next, length + 5);
+            }
+            for (const std::uint32_t next : {at - up - 1, at - up + 1, at + up - 1, at + up + 1}) {
+                reach(next, length + 7);
             }
         }
         const double path_m = static_cast<double>(length - kStart) * step_m_ / 5.0;
         if (!buckets_[length].empty()) side.reach_m = path_m;
         for (std::size_t i = 0; i < kPeakWithinM.size(); ++i) {
-            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = peak_m;
+            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = static_cast<double>(peak_m);
         }
         for (std::size_t i = 0; i < kAreaWithinM.size(); ++i) {
             if (path_m > kAreaWithinM[i]) continue;

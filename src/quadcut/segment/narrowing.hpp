@@ -70,21 +70,25 @@ public:
     [[nodiscard]] Narrowing measure(const Saddle& saddle, const RegionsView& regions);
 
 private:
+    /// What a walk knows of a place, if it holds the walk's number.
+    struct Place {
+        std::uint32_t walk = 0;
+        /// Of the shortest path so far, in fifths of a step; 0 where no path leads on.
+        std::uint32_t length = 0;
+        float clearance_m = 0.0F;
+        /// How far it lies from the saddle along the opening, in steps.
+        float aside = 0.0F;
+    };
+
     SideOfSaddle walk_outward(Cell seed, const Direction& along, const RegionsView& regions);
 
     const Raster<float>& clearance_;
     double resolution_m_;
     std::int32_t stride_cells_;
     double step_m_;
-    /// Of the window of places around the saddle.
+    /// Of the window of places around the saddle; its rows are a power of two long.
     std::int32_t radius_;
-    std::int32_t side_;
-    /// What a walk knows of a place, if it holds the walk's number: the length of the shortest path
-    /// so far, in fifths of a step; 0 where no path leads on.
-    struct Place {
-        std::uint32_t walk = 0;
-        std::uint32_t length = 0;
-    };
+    unsigned row_bits_;
     std::vector<Place> places_;
     std::uint32_t walk_ = 0;
     /// The places to visit by path length, in fifths of a step: 5 straight, 7 diagonal.

@@ -152,7 +152,7 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
     }
 }
 
-void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2) {
     const double cell_m2 = resolution_m * resolution_m;
     const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
@@ -173,6 +173,7 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
         is_pocket.push_back(static_cast<double>(size) * cell_m2 <= kTimesLarger * max_pocket_m2);
     }
     is_pocket.front() = false;
+    bool is_any_adopted = false;
     for (const std::vector<std::size_t>& pocket : parts.cells_of(is_pocket)) {
         if (pocket.empty()) continue;
         const std::uint32_t label = labels.values[pocket.front()];
@@ -196,6 +197,7 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
             labels.values[pocket[i]] = is_adopted ? room : own[i];
         }
         if (!is_adopted) continue;
+        is_any_adopted = true;
         for (const auto& [reached, arrival] : walk.arrivals) {
             if (reached != room) continue;
             for (std::size_t cell = arrival; labels.values[cell] == 0;
@@ -204,6 +206,7 @@ void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
             }
         }
     }
+    return is_any_adopted;
 }
 
 }  // namespace quadcut

@@ -24,7 +24,8 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
 /// goes to that room, too, so that it stays connected.
 /// `free`: 1 = free in the map. Connected free space of at most `max_pocket_m2` is a pocket, with
 /// or without a label, and so are free cells without a label. O(cells).
-void adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+/// Returns whether any was given away.
+bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                    double resolution_m, double max_pocket_m2);
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).

@@ -146,7 +146,7 @@ Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
     report.eigen = std::move(pieces.eigen);
     if (options.rooms.pieces == PieceSource::unsnapped) return paint(pieces, leaves, clearance);
     clock.begin("snap");
-    return snap_to_basins(build_basins(clearance, open_map.resolution_m), leaves.table,
+    return snap_to_basins(build_basins(clearance, open_map.resolution_m, executor), leaves.table,
                           leaves.nodes, pieces.piece_of_node);
 }
 
@@ -155,7 +155,7 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
                    const Executor& executor, SegmentReport& report) {
     if (options.rooms.pieces == PieceSource::basins) {
         clock.begin("basins");
-        return build_basins(clearance, resolution_m);
+        return build_basins(clearance, resolution_m, executor);
     }
     return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
 }
@@ -163,9 +163,9 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
 /// What is enclosed by furniture belongs to the room around it; rooms stay connected.
 void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                   double resolution_m) {
-    adopt_pockets(labels, free, resolution_m, kMaxPocketM2);
+    const bool is_any_adopted = adopt_pockets(labels, free, resolution_m, kMaxPocketM2);
     drop_without_floor(labels, free);
-    connect_regions(labels);
+    if (is_any_adopted) connect_regions(labels);
 }
 
 /// Pieces are fused unless a door is between them: first as far as at the highest granularity, of
