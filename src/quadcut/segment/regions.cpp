@@ -152,17 +152,9 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
     }
 }
 
-bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                   double resolution_m, double max_pocket_m2) {
+Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                     double resolution_m, double max_pocket_m2) {
     const double cell_m2 = resolution_m * resolution_m;
-    const auto max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
-    const auto max_steps =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
-    std::vector<std::size_t> num_cells;
-    for (const std::uint32_t label : labels.values) {
-        if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
-        ++num_cells[label];
-    }
     const ConnectedParts parts = connected_parts(
         labels, [&](std::size_t i) { return free.values[i] != 0; },
         [&](std::size_t i, std::size_t j) {
@@ -173,24 +165,39 @@ bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
         is_pocket.push_back(static_cast<double>(size) * cell_m2 <= kTimesLarger * max_pocket_m2);
     }
     is_pocket.front() = false;
+    Pockets pockets;
+    pockets.max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
+    pockets.outline_cells =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
+    for (auto& cells : parts.cells_of(is_pocket)) {
+        if (!cells.empty()) pockets.cells.push_back(std::move(cells));
+    }
+    return pockets;
+}
+
+bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                   const Pockets& pockets) {
+    std::vector<std::size_t> num_cells;
+    for (const std::uint32_t label : labels.values) {
+        if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
+        ++num_cells[label];
+    }
     bool is_any_adopted = false;
-    for (const std::vector<std::size_t>& pocket : parts.cells_of(is_pocket)) {
-        if (pocket.empty()) continue;
+    for (const std::vector<std::size_t>& pocket : pockets.cells) {
         const std::uint32_t label = labels.values[pocket.front()];
         const bool is_room = label != 0;
         // It is connected with a room through furniture, or has been adopted before.
         if (is_room && num_cells[label] > 2 * pocket.size()) continue;
-        const double pocket_m2 = static_cast<double>(pocket.size()) * cell_m2;
-        const bool is_small = pocket_m2 <= max_pocket_m2;
+        const bool is_small = pocket.size() <= pockets.max_cells;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
-        const OutlineWalk walk = walk_through_outline(labels, free, pocket, max_steps);
+        const OutlineWalk walk = walk_through_outline(labels, free, pocket, pockets.outline_cells);
         const std::uint32_t room = most_frequent(walk.ways);
         const double min_ways =
             (is_small ? kMinShare : kMinShareAround) * static_cast<double>(walk.num_starts);
         // Two small rooms beside each other are no pockets of each other.
         const bool is_adopted =
-            room != 0 && (!is_room || num_cells[room] > std::max(max_cells, 2 * pocket.size())) &&
+            room != 0 && (!is_room || num_cells[room] > std::max(pockets.max_cells, 2 * pocket.size())) &&
             (is_small || walk.ways.size() == 1) &&
             static_cast<double>(walk.ways.at(room)) >= min_ways;
         for (std::size_t i = 0; i < pocket.size(); ++i) {

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "quadcut/map/raster.hpp"
 
@@ -17,16 +19,28 @@ void connect_regions(Raster<std::uint32_t>& labels);
 void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
                      double min_width_m);
 
-/// Gives free pockets that are too small to be rooms to the room around them: the free inside of a
-/// cupboard, bin or table that is drawn as an outline. A pocket counts when at least a quarter of
-/// its border lies behind an outline at most 0.1 m thick from one room, a larger one, up to five
-/// times the size, when three fifths do and no other room is behind the rest. The outline between
-/// goes to that room, too, so that it stays connected.
-/// `free`: 1 = free in the map. Connected free space of at most `max_pocket_m2` is a pocket, with
-/// or without a label, and so are free cells without a label. O(cells).
-/// Returns whether any was given away.
+/// Connected free space, with or without a label, that may be the inside of furniture.
+struct Pockets {
+    std::vector<std::vector<std::size_t>> cells;
+    /// What is not larger is a small one.
+    std::size_t max_cells = 0;
+    /// The thickest outline, in cells.
+    std::size_t outline_cells = 1;
+};
+
+/// Those of at most `max_pocket_m2`, and larger ones up to five times that. `free`: 1 = free in the
+/// map. O(cells).
+[[nodiscard]] Pockets find_pockets(const Raster<std::uint32_t>& labels,
+                                   const Raster<std::uint8_t>& free, double resolution_m,
+                                   double max_pocket_m2);
+
+/// Gives pockets to the room around them: the free inside of a cupboard, bin or table that is drawn
+/// as an outline. A small pocket is given when at least a quarter of its border lies behind an
+/// outline at most 0.1 m thick from one room, a larger one when three fifths do and no other room
+/// is behind the rest. The outline between goes to that room, too, so that it stays connected.
+/// Returns whether there was one. O(cells).
 bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                   double resolution_m, double max_pocket_m2);
+                   const Pockets& pockets);
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
 void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free);

@@ -162,8 +162,8 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
 
 /// What is enclosed by furniture belongs to the room around it; rooms stay connected.
 void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                  double resolution_m) {
-    const bool is_any_adopted = adopt_pockets(labels, free, resolution_m, kMaxPocketM2);
+                  const Pockets& pockets) {
+    const bool is_any_adopted = adopt_pockets(labels, free, pockets);
     drop_without_floor(labels, free);
     if (is_any_adopted) connect_regions(labels);
 }
@@ -183,14 +183,16 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
     relabel(regions, labels);
     connect_regions(labels);
     drop_impassable(labels, clearance, options.rooms.min_passable_m);
-    tidy_pockets(labels, free, resolution_m);
+    const Pockets pockets = find_pockets(labels, free, resolution_m, kMaxPocketM2);
+    tidy_pockets(labels, free, pockets);
     if (options.with_hierarchy) {
         hierarchy = build_hierarchy(labels, regions, rule);
     }
+    regions.measure_all(executor);
     Fuser(regions, rule).fuse_below(fuse_threshold(options.rooms.granularity));
     relabel(regions, labels);
     // A large table in a hall may have had several regions around it.
-    tidy_pockets(labels, free, resolution_m);
+    tidy_pockets(labels, free, pockets);
     return labels;
 }
 
