@@ -5,8 +5,8 @@
 // Cuts are decided as the truth has it, the least door-like first, as fuse() does: so a sample
 // stands for a decision that really comes up. See docs/decisions/0008-door-model.md.
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <queue>
@@ -14,8 +14,9 @@
 #include <tuple>
 #include <vector>
 
-#include "io/label_image.hpp"
-#include "io/map_server.hpp"
+#include "bench/cases.hpp"
+#include "bench/data_map.hpp"
+#include "bench/resampling.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/basins.hpp"
@@ -30,10 +31,11 @@
 namespace quadcut {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Smaller regions are joined anyway; what their truth is says little.
 constexpr double kMinAreaM2 = 0.5;
+/// Other directions and resolutions than those that micro_invariance tries.
+constexpr std::array<double, 3> kTurnedDegrees{17.0, 37.0, 60.0};
+constexpr std::array<double, 2> kScaled{0.7, 1.5};
 /// A component this small is the inside of furniture, not of a building.
 constexpr double kMinComponentM2 = 4.0;
 
@@ -177,27 +179,18 @@ private:
     std::map<std::string, Tally> tallies_;
 };
 
-void add_data(const fs::path& folder, Report& report) {
-    std::vector<fs::path> maps;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() == ".yaml") maps.push_back(entry.path());
-    }
-    std::sort(maps.begin(), maps.end());
-    for (const fs::path& path : maps) {
-        const std::string name = path.stem().string();
-        const std::string building = name.substr(0, name.find('.'));
-        const GridMap map = io::read_map(path).map;
-        const io::LabelImage image = io::read_label_image(folder / (building + ".rooms.png"));
-        Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
-        for (std::size_t i = 0; i < truth.values.size(); ++i) {
-            const Cell cell = truth.cell(i);
-            const auto row = static_cast<std::size_t>(truth.height - 1 - cell.y);
-            truth.values[i] = image.values[row * static_cast<std::size_t>(truth.width) +
-                                           static_cast<std::size_t>(cell.x)];
-        }
-        const std::string kind =
-            building.rfind("kth_", 0) == 0 ? "kth" : name.substr(name.find('.') + 1);
-        report.add(name, building, kind, decide_by_truth(map, truth));
+/// Each map as it is, and as it is when drawn in other directions and at other resolutions: the
+/// model should not depend on that.
+void add_data(Report& report) {
+    for (const DataMap& data : read_data_maps()) {
+        const Raster<std::uint32_t> truth = as_raster(data.truth);
+        report.add(data.name, data.building, data.kind, decide_by_truth(data.map, truth));
+        const auto add_changed = [&](const Resampling& change) {
+            report.add(data.name, data.building, data.kind + " changed",
+                       decide_by_truth(resample(data.map, change), resample_nearest(truth, change)));
+        };
+        for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
+        for (const double cells : kScaled) add_changed(scaled(data.map, cells));
     }
 }
 
@@ -250,8 +243,7 @@ int run(int argc, char** argv) {
         if (std::string(argv[i]) == "--buildings") num_buildings = std::stoi(argv[i + 1]);
     }
     Report report(csv);
-    const fs::path data = fs::path(QUADCUT_SHARED_DIR) / "data/rooms";
-    if (fs::exists(data)) add_data(data, report);
+    add_data(report);
     add_simulated(num_buildings, report);
     report.print();
     return 0;

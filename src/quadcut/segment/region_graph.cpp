@@ -57,6 +57,12 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     }
 }
 
+std::size_t RegionGraph::num_saddles() const {
+    std::size_t num_sides = 0;
+    for (const auto& saddles : saddles_) num_sides += saddles.size();
+    return num_sides / 2;
+}
+
 void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
     for (const auto& [other, saddle] : saddles_[a]) {
         if (is_near(extent_[b].box, saddle)) measured_.erase(pair_of(a, other));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -26,6 +27,8 @@ public:
     [[nodiscard]] std::uint32_t num_pieces() const {
         return static_cast<std::uint32_t>(region_.size() - 1);
     }
+    /// The number of pairs of regions that touch. O(regions).
+    [[nodiscard]] std::size_t num_saddles() const;
     /// The regions that touch this one, and where they are widest apart from it.
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
         return saddles_[region];

@@ -154,7 +154,7 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
                    double resolution_m, const SegmentOptions& options, StageClock& clock,
                    const Executor& executor, SegmentReport& report) {
     if (options.rooms.pieces == PieceSource::basins) {
-        clock.begin("basins");
+        clock.begin("cut");
         return build_basins(clearance, resolution_m, executor);
     }
     return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
@@ -172,10 +172,16 @@ void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fre
 /// whose regions all rooms are unions. Labels come out with regions of any number.
 Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& clearance,
                                   const Raster<std::uint8_t>& free, double resolution_m,
-                                  const SegmentOptions& options, const Executor& executor,
-                                  Hierarchy& hierarchy) {
+                                  const SegmentOptions& options, StageClock& clock,
+                                  const Executor& executor, Segmentation& result) {
+    clock.begin("graph");
     RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
     regions.measure_all(executor);
+    if (options.rooms.pieces == PieceSource::basins) {
+        result.report.num_leaves = pieces.count;
+        result.report.num_edges = regions.num_saddles();
+    }
+    clock.begin("fuse");
     const DoorRule rule{options.rooms.door_width_m, options.rooms.fuse, options.rooms.min_ratio};
     Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
@@ -186,7 +192,7 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
     const Pockets pockets = find_pockets(labels, free, resolution_m, kMaxPocketM2);
     tidy_pockets(labels, free, pockets);
     if (options.with_hierarchy) {
-        hierarchy = build_hierarchy(labels, regions, rule);
+        result.hierarchy = build_hierarchy(labels, regions, rule);
     }
     regions.measure_all(executor);
     Fuser(regions, rule).fuse_below(fuse_threshold(options.rooms.granularity));
@@ -217,10 +223,9 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     const Basins pieces = find_pieces(open, clearance, map.resolution_m, options, clock, executor,
                                       result.report);
     // 4. Pieces are fused into rooms.
-    clock.begin("fuse");
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
     const Raster<std::uint32_t> rooms =
-        fuse_pieces(pieces, clearance, free, map.resolution_m, options, executor, result.hierarchy);
+        fuse_pieces(pieces, clearance, free, map.resolution_m, options, clock, executor, result);
 
     Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
     Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);

@@ -53,6 +53,8 @@ struct EigenReport {
 struct SegmentReport {
     /// Wall time by stage, milliseconds, in order of first use.
     std::vector<std::pair<std::string, double>> stages_ms;
+    /// What the cut is made of: leaves of the quadtree and the graph's edges; or basins, and the
+    /// pairs of them that touch.
     std::size_t num_leaves = 0;
     std::size_t num_edges = 0;
     std::vector<EigenReport> eigen;
