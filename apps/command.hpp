@@ -18,6 +18,7 @@ struct Command {
 
 [[nodiscard]] Command segment_command();
 [[nodiscard]] Command map_command();
+[[nodiscard]] Command follow_command();
 [[nodiscard]] Command score_command();
 [[nodiscard]] Command simulate_command();
 [[nodiscard]] Command demo_command();

@@ -14,24 +14,31 @@
 
 namespace quadcut {
 
-LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesystem::path>& poses,
-               double resolution_m, StageClock& clock, Progress& progress) {
+PosedLog read_posed_log(const std::filesystem::path& log,
+                        const std::optional<std::filesystem::path>& poses, StageClock& clock) {
     clock.begin("read");
     io::LogFile file = io::read_carmen_log(log);
-    LogMap result;
-    result.warnings = std::move(file.warnings);
-    result.content_hash = file.content_hash;
-    std::vector<Scan> scans = std::move(file.scans);
+    PosedLog result{std::move(file.scans), std::move(file.warnings), file.content_hash};
     if (poses) {
         const std::string name = io::display_name(*poses);
-        PosedScans posed = with_poses(std::move(scans), io::read_poses(*poses), name);
+        PosedScans posed = with_poses(std::move(result.scans), io::read_poses(*poses), name);
         if (posed.num_left_out > 0) {
             result.warnings.push_back(name + ": no pose near " +
                                       std::to_string(posed.num_left_out) + " of the scans of " +
                                       io::display_name(log) + "; they are left out");
         }
-        scans = std::move(posed.scans);
+        result.scans = std::move(posed.scans);
     }
+    return result;
+}
+
+LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesystem::path>& poses,
+               double resolution_m, StageClock& clock, Progress& progress) {
+    PosedLog posed = read_posed_log(log, poses, clock);
+    const std::vector<Scan>& scans = posed.scans;
+    LogMap result;
+    result.warnings = std::move(posed.warnings);
+    result.content_hash = posed.content_hash;
     clock.begin("map");
     const OccupancyMap map = map_from_scans(scans, resolution_m, {}, [&](std::size_t num_done) {
         progress.update(num_done, scans.size());

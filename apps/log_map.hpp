@@ -13,6 +13,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/scan.hpp"
 
 namespace quadcut {
 
@@ -26,8 +27,20 @@ struct LogMap {
     std::uint64_t content_hash = 0;
 };
 
-/// Reads a log and maps it; `poses` names a file of poses that replace the log's own (see
-/// with_poses). The stages are `read` and `map`. Throws InputError.
+/// The scans of a laser log, in the order of its lines.
+struct PosedLog {
+    std::vector<Scan> scans;
+    std::vector<std::string> warnings;
+    std::uint64_t content_hash = 0;
+};
+
+/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). The stage
+/// is `read`. Throws InputError.
+[[nodiscard]] PosedLog read_posed_log(const std::filesystem::path& log,
+                                      const std::optional<std::filesystem::path>& poses,
+                                      StageClock& clock);
+
+/// Reads a log as read_posed_log() does and maps it. The stages are `read` and `map`. Throws InputError.
 [[nodiscard]] LogMap map_log(const std::filesystem::path& log,
                              const std::optional<std::filesystem::path>& poses, double resolution_m,
                              StageClock& clock, Progress& progress);

@@ -13,13 +13,21 @@ namespace {
 
 /// From granularity 0 to 1 the threshold falls by so much: the range in which rooms differ.
 constexpr double kLogOddsOfGranularity = 12.0;
+/// At the default granularity a cut needs somewhat more than even odds: in maps of few and noisy
+/// scans much looks like a door that is none.
+constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
+constexpr double kDoor = 100.0;
+/// So much more than even odds must be for a change.
+constexpr double kHysteresis = 0.0;
 /// By the ratio, openings of no width have the highest granularity's log-odds.
 constexpr double kLogOddsOfRatio = 8.0;
 
 }  // namespace
 
-double fuse_threshold(double granularity) { return kLogOddsOfGranularity * (0.5 - granularity); }
+double fuse_threshold(double granularity) {
+    return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
+}
 
 Fuser::Fuser(RegionGraph& regions, const DoorRule& rule) : regions_(regions), rule_(rule) {
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
@@ -36,11 +44,21 @@ void Fuser::push(std::uint32_t a, std::uint32_t b) {
 }
 
 double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
-    const auto half_width_m = static_cast<double>(regions_.saddles(a).at(b).clearance_m);
+    const Saddle& saddle = regions_.saddles(a).at(b);
+    if (rule_.decided && !rule_.decided->contains(saddle.a)) return kDoor;
+    const auto half_width_m = static_cast<double>(saddle.clearance_m);
     if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
-    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));
+    const double bias = rule_.earlier_room.empty() ? 0.0 : bias_of(saddle);
+    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b)) + bias;
     const double ratio = half_width_m / std::min(regions_.peak_m(a), regions_.peak_m(b));
-    return kLogOddsOfRatio * (rule_.min_ratio - ratio);
+    return kDefaultLogOdds + kLogOddsOfRatio * (rule_.min_ratio - ratio) + bias;
+}
+
+double Fuser::bias_of(const Saddle& saddle) const {
+    const std::uint32_t room_a = rule_.earlier_room[regions_.piece_at(saddle.a)];
+    const std::uint32_t room_b = rule_.earlier_room[regions_.piece_at(saddle.b)];
+    if (room_a == 0 || room_b == 0) return 0.0;
+    return room_a == room_b ? -kHysteresis : kHysteresis;
 }
 
 void Fuser::fuse_below(double min_log_odds) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <tuple>
+#include <vector>
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/options.hpp"
@@ -23,6 +25,10 @@ struct DoorRule {
     FuseRule by = FuseRule::model;
     /// By the ratio: what is narrower is a door.
     double min_ratio = 0.75;
+    /// Cuts with their saddle outside are kept.
+    std::optional<Box> decided = std::nullopt;
+    /// The room that each piece was in before, 0 = none; empty when there was none.
+    std::vector<std::uint32_t> earlier_room = {};
 };
 
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
@@ -51,6 +57,8 @@ private:
 
     void push(std::uint32_t a, std::uint32_t b);
     [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
+    /// In favour of what there was before.
+    [[nodiscard]] double bias_of(const Saddle& saddle) const;
 
     RegionGraph& regions_;
     DoorRule rule_;

@@ -57,6 +57,13 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     }
 }
 
+void RegionGraph::add_beyond(std::uint32_t piece, double area_m2, double peak_m,
+                             std::size_t num_openings) {
+    extent_[piece].area_m2 += area_m2;
+    extent_[piece].peak_m = std::max(extent_[piece].peak_m, peak_m);
+    extent_[piece].num_openings += num_openings;
+}
+
 std::size_t RegionGraph::num_saddles() const {
     std::size_t num_sides = 0;
     for (const auto& saddles : saddles_) num_sides += saddles.size();
@@ -72,7 +79,8 @@ void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
     members_[b].clear();
     extent_[a].area_m2 += extent_[b].area_m2;
     extent_[a].peak_m = std::max(extent_[a].peak_m, extent_[b].peak_m);
-    extent_[a].box.include(extent_[b].box);
+    extent_[a].num_openings += extent_[b].num_openings;
+    if (!extent_[b].box.is_empty()) extent_[a].box.include(extent_[b].box);
     ++version_[a];
     saddles_[a].erase(b);
     for (const auto& [other, saddle] : saddles_[b]) {
@@ -130,7 +138,7 @@ void RegionGraph::describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowin
     const auto fill = [&](std::uint32_t region, SideOfSaddle& side) {
         side.region_area_m2 = extent_[region].area_m2;
         side.region_peak_m = extent_[region].peak_m;
-        side.num_openings = static_cast<std::size_t>(
+        side.num_openings = extent_[region].num_openings + static_cast<std::size_t>(
             std::count_if(saddles_[region].begin(), saddles_[region].end(), [&](const auto& entry) {
                 return entry.second.clearance_m > kFitsM &&
                        extent_[entry.first].area_m2 >= kPlaceM2;

@@ -36,8 +36,12 @@ public:
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
     [[nodiscard]] double peak_m(std::uint32_t region) const { return extent_[region].peak_m; }
+    [[nodiscard]] std::uint32_t piece_at(Cell cell) const { return pieces_.at(cell); }
     /// How often the region has been joined with another.
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
+
+    /// What a piece has beyond the raster, of which it is a part. @pre nothing was joined yet.
+    void add_beyond(std::uint32_t piece, double area_m2, double peak_m, std::size_t num_openings);
 
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
@@ -55,6 +59,8 @@ private:
     struct Extent {
         double area_m2 = 0.0;
         double peak_m = 0.0;
+        /// Openings beyond the raster.
+        std::size_t num_openings = 0;
         Box box;
     };
 

@@ -29,12 +29,17 @@ std::uint32_t most_frequent(const std::map<Key, std::size_t>& counts) {
     return most == counts.end() ? 0 : most->first;
 }
 
+bool is_set(const std::vector<bool>& flags, std::uint32_t label) {
+    return label < flags.size() && flags[label];
+}
+
 struct Part {
     std::vector<std::size_t> cells;
 };
 
 /// Every part of a region but its largest.
-std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
+std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels,
+                                 const std::vector<bool>& goes_on) {
     const ConnectedParts parts = connected_parts(
         labels, [&](std::size_t i) { return labels.values[i] != 0; },
         [&](std::size_t i, std::size_t j) { return labels.values[i] == labels.values[j]; });
@@ -46,6 +51,7 @@ std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels) {
         const std::uint32_t part = parts.labels.values[i];
         if (part == 0 || seen[part]) continue;
         seen[part] = true;
+        if (is_set(goes_on, labels.values[i])) continue;
         const auto [best, is_first] = largest.try_emplace(labels.values[i], part);
         if (is_first) continue;
         const bool is_larger = num_cells[part] > num_cells[best->second];
@@ -99,8 +105,8 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
 
 }  // namespace
 
-void connect_regions(Raster<std::uint32_t>& labels) {
-    std::vector<Part> waiting = detached_parts(labels);
+void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on) {
+    std::vector<Part> waiting = detached_parts(labels, goes_on);
     for (const Part& part : waiting) {
         for (const std::size_t cell : part.cells) labels.values[cell] = 0;
     }
@@ -128,7 +134,7 @@ void connect_regions(Raster<std::uint32_t>& labels) {
 }
 
 void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
-                     double min_width_m) {
+                     double min_width_m, const std::vector<bool>& goes_on) {
     std::vector<float> widest;
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         const std::uint32_t label = labels.values[i];
@@ -136,7 +142,7 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
         widest[label] = std::max(widest[label], 2.0F * clearance_m.values[i]);
     }
     for (std::uint32_t& label : labels.values) {
-        if (static_cast<double>(widest[label]) < min_width_m) label = 0;
+        if (static_cast<double>(widest[label]) < min_width_m && !is_set(goes_on, label)) label = 0;
     }
 }
 
@@ -170,7 +176,11 @@ Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint
     pockets.outline_cells =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
     for (auto& cells : parts.cells_of(is_pocket)) {
-        if (!cells.empty()) pockets.cells.push_back(std::move(cells));
+        // What leaves the raster is part of something larger.
+        const bool is_whole =
+            std::none_of(cells.begin(), cells.end(),
+                         [&](std::size_t cell) { return is_on_edge(labels, cell); });
+        if (!cells.empty() && is_whole) pockets.cells.push_back(std::move(cells));
     }
     return pockets;
 }

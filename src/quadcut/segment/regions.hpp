@@ -12,12 +12,14 @@ namespace quadcut {
 
 /// Makes every region of `labels` (0 = none) one 4-connected whole: its largest part keeps the
 /// label, every other part takes the label that it shares the longest border with. Parts that touch
-/// no other label are removed. O(cells).
-void connect_regions(Raster<std::uint32_t>& labels);
+/// no other label are removed. Regions that go on beyond the raster (by label) are connected there.
+/// O(cells).
+void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on = {});
 
-/// Removes regions that are nowhere `min_width_m` wide: no robot fits. O(cells).
+/// Removes regions that are nowhere `min_width_m` wide: no robot fits. Not those that go on beyond
+/// the raster (by label). O(cells).
 void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
-                     double min_width_m);
+                     double min_width_m, const std::vector<bool>& goes_on = {});
 
 /// Connected free space, with or without a label, that may be the inside of furniture.
 struct Pockets {

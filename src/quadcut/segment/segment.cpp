@@ -18,11 +18,10 @@
 #include "quadcut/segment/cut.hpp"
 #include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/doors.hpp"
-#include "quadcut/segment/fuse.hpp"
-#include "quadcut/segment/hierarchy.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/open_space.hpp"
-#include "quadcut/segment/regions.hpp"
+#include "quadcut/segment/region_graph.hpp"
+#include "quadcut/segment/rooms.hpp"
 #include "quadcut/segment/snap.hpp"
 #include "quadcut/segment/submaps.hpp"
 #include "quadcut/spectral/null_space.hpp"
@@ -30,8 +29,6 @@
 namespace quadcut {
 namespace {
 
-/// What is enclosed by an outline up to this size is the inside of furniture.
-constexpr double kMaxPocketM2 = 4.0;
 /// No robot fits through what is narrower.
 constexpr double kMinDoorM = 0.3;
 
@@ -160,48 +157,6 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
     return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
 }
 
-/// What is enclosed by furniture belongs to the room around it; rooms stay connected.
-void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                  const Pockets& pockets) {
-    const bool is_any_adopted = adopt_pockets(labels, free, pockets);
-    drop_without_floor(labels, free);
-    if (is_any_adopted) connect_regions(labels);
-}
-
-/// Pieces are fused unless a door is between them: first as far as at the highest granularity, of
-/// whose regions all rooms are unions. Labels come out with regions of any number.
-Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& clearance,
-                                  const Raster<std::uint8_t>& free, double resolution_m,
-                                  const SegmentOptions& options, StageClock& clock,
-                                  const Executor& executor, Segmentation& result) {
-    clock.begin("graph");
-    RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
-    regions.measure_all(executor);
-    if (options.rooms.pieces == PieceSource::basins) {
-        result.report.num_leaves = pieces.count;
-        result.report.num_edges = regions.num_saddles();
-    }
-    clock.begin("fuse");
-    const DoorRule rule{options.rooms.door_width_m, options.rooms.fuse, options.rooms.min_ratio};
-    Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
-    fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
-    Raster<std::uint32_t> labels = pieces.labels;
-    relabel(regions, labels);
-    connect_regions(labels);
-    drop_impassable(labels, clearance, options.rooms.min_passable_m);
-    const Pockets pockets = find_pockets(labels, free, resolution_m, kMaxPocketM2);
-    tidy_pockets(labels, free, pockets);
-    if (options.with_hierarchy) {
-        result.hierarchy = build_hierarchy(labels, regions, rule);
-    }
-    regions.measure_all(executor);
-    Fuser(regions, rule).fuse_below(fuse_threshold(options.rooms.granularity));
-    relabel(regions, labels);
-    // A large table in a hall may have had several regions around it.
-    tidy_pockets(labels, free, pockets);
-    return labels;
-}
-
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
                            std::span<const Point> trajectory, StageClock& clock,
                            const Executor& executor) {
@@ -224,8 +179,18 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
                                       result.report);
     // 4. Pieces are fused into rooms.
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
+    clock.begin("graph");
+    RegionGraph regions(pieces.labels, pieces.count, clearance, map.resolution_m);
+    regions.measure_all(executor);
+    if (options.rooms.pieces == PieceSource::basins) {
+        result.report.num_leaves = pieces.count;
+        result.report.num_edges = regions.num_saddles();
+    }
+    clock.begin("fuse");
+    Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     const Raster<std::uint32_t> rooms =
-        fuse_pieces(pieces, clearance, free, map.resolution_m, options, clock, executor, result);
+        fuse_into_rooms({pieces.labels, clearance, free, map.resolution_m}, options.rooms, {},
+                        executor, regions, hierarchy);
 
     Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
     Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+
+#include "quadcut/segment/follow.hpp"
+
+namespace quadcut::io {
+
+/// One line of updates.jsonl, with its line end.
+[[nodiscard]] std::string to_json_line(const FollowUpdate& update);
+
+}  // namespace quadcut::io

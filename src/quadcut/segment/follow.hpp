@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/local_cut.hpp"
+#include "quadcut/segment/options.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+struct FollowOptions {
+    SegmentOptions segment;
+    IntegrateOptions integrate;
+    double resolution_m = 0.05;
+    /// Rooms are cut again when so much free space has changed.
+    double min_change_m2 = 2.0;
+    /// The first cut waits for so much of it (the paper's Fig 9).
+    double first_cut_m2 = 10.0;
+    /// What has changed by less stays as it is, unless finish() is called.
+    double min_patch_m2 = 0.05;
+};
+
+enum class RoomLife : std::uint8_t { born, grown, split, merged, retired };
+
+/// What happened to a room, and why.
+struct LifeEvent {
+    RoomLife life = RoomLife::born;
+    RoomId room{};
+    /// split: the room it was a part of. merged: the room it is a part of now.
+    RoomId other{};
+    std::string reason;
+};
+
+/// What one update did: a line of updates.jsonl.
+struct FollowUpdate {
+    std::size_t scan = 0;
+    double integrate_ms = 0.0;
+    double segment_ms = 0.0;
+    std::size_t num_leaves = 0;
+    std::size_t nodes_touched = 0;
+    std::size_t nodes_rebuilt = 0;
+    /// Eq. (12).
+    double ps = 0.0;
+    /// Of the largest graph that was cut; 0 when none was.
+    std::size_t graph_nodes = 0;
+    std::size_t num_rooms = 0;
+    double relabelled_m2 = 0.0;
+    std::vector<LifeEvent> events;
+};
+
+/// Keeps a map and its rooms up to date while a robot explores, with work that does not grow with
+/// the map: the paper's incremental method. Not for use by two threads at once.
+class Follower {
+public:
+    explicit Follower(const FollowOptions& options = {});
+
+    /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
+    /// scan that cannot be used; the state is then unchanged.
+    FollowUpdate add_scan(const Scan& scan);
+    /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of map().
+    FollowUpdate update_cells(const Raster<CellState>& patch);
+    /// Cuts around all that has changed, however little.
+    FollowUpdate finish();
+    /// Cuts once more around one room: what idle time is for. False when there is none.
+    bool refine();
+
+    [[nodiscard]] const OccupancyMap& map() const { return map_; }
+    [[nodiscard]] std::size_t num_scans() const { return num_scans_; }
+    [[nodiscard]] std::size_t num_rooms() const { return rooms_.size(); }
+    /// The rooms on the cells of map().to_grid(), with doors. O(map).
+    [[nodiscard]] Segmentation rooms() const;
+
+private:
+    /// The parts of a room outside of a window, by what they are connected with.
+    struct Outside {
+        std::vector<std::size_t> group_of_part;
+        /// Cells out there, by group.
+        std::vector<std::size_t> num_cells;
+        /// 1 + the group of each cell; empty when there is one group only.
+        Raster<std::uint32_t> groups;
+    };
+    struct FollowedRoom {
+        std::size_t num_cells = 0;
+        double peak_m = 0.0;
+        Box box;
+        double announced_m2 = 0.0;
+        std::size_t refined_at = 0;
+    };
+
+    void note_changes(const MapUpdate& update);
+    void cut_again(double min_patch_m2, FollowUpdate& update);
+    void cut_window(const Box& changed, FollowUpdate& update);
+    [[nodiscard]] Box cells_to_decide(const Box& changed) const;
+    [[nodiscard]] LocalWindow read_window(const Box& decided) const;
+    BeyondWindow look_beyond(const LocalWindow& window, std::uint32_t room,
+                             const std::vector<Cell>& parts, const Raster<std::uint32_t>& pieces);
+    [[nodiscard]] Outside groups_outside(const LocalWindow& window, std::uint32_t room,
+                                         const std::vector<Cell>& parts,
+                                         const Raster<std::uint32_t>& pieces) const;
+    [[nodiscard]] std::size_t openings_outside(const LocalWindow& window, std::uint32_t room,
+                                               const Outside& outside, std::size_t group) const;
+    [[nodiscard]] std::vector<std::uint32_t> name_regions(const LocalWindow& window,
+                                                          const LocalCut& cut,
+                                                          FollowUpdate& update);
+    void write_window(const LocalWindow& window, const LocalCut& cut,
+                      const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
+    void rename_outside(const LocalWindow& window, std::uint32_t room, std::size_t group,
+                        std::uint32_t now, FollowUpdate& update);
+    void update_rooms(const LocalWindow& window, const LocalCut& cut,
+                      const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
+    void make_room_for(const Box& cells);
+    [[nodiscard]] std::uint32_t room_at(Cell cell) const {
+        return labels_.contains(cell) ? labels_.at(cell) : 0;
+    }
+
+    FollowOptions options_;
+    OccupancyMap map_;
+    std::size_t num_scans_ = 0;
+    /// The room of each cell, and whether it was free when rooms were last cut there.
+    Raster<std::uint32_t> labels_;
+    Raster<std::uint8_t> cut_free_;
+    /// Tiles with cells that are free now and were not, or the other way round, and how many.
+    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> changed_tiles_;
+    std::size_t num_changed_ = 0;
+    std::map<std::uint32_t, FollowedRoom> rooms_;
+    std::vector<LocalOpening> openings_;
+    /// Of the rooms that go on beyond the window that is being cut.
+    std::map<std::uint32_t, Outside> outside_;
+    std::uint32_t next_id_ = 1;
+    std::size_t num_cuts_ = 0;
+};
+
+}  // namespace quadcut

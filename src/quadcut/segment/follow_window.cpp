@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// One window of a followed map: read, cut, named, written back.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "quadcut/segment/follow.hpp"
+
+namespace quadcut {
+namespace {
+
+/// A room has grown when it is so much larger than when that was last said.
+constexpr double kGrownShare = 1.25;
+constexpr double kGrownM2 = 2.0;
+/// Rooms with cells this near to a change are cut again, as far as this from it.
+constexpr double kTouchedM = 1.0;
+constexpr double kFarM = 20.0;
+/// As in RegionGraph: a robot fits through, to somewhere.
+constexpr float kFitsM = 0.25F;
+constexpr double kPlaceM2 = 2.0;
+
+Box grown(const Box& box, double by_m, double resolution_m) {
+    const auto cells = static_cast<std::int32_t>(std::ceil(by_m / resolution_m));
+    return {{box.low.x - cells, box.low.y - cells}, {box.high.x + cells, box.high.y + cells}};
+}
+
+std::string square_metres(double area_m2) {
+    return std::to_string(static_cast<long>(std::lround(area_m2))) + " m^2";
+}
+
+}  // namespace
+
+/// All that changed and what the door model sees from there, and the rooms that it touches: what is
+/// known of them now may be more than when they were cut. Of a large room only what is near.
+Box Follower::cells_to_decide(const Box& changed) const {
+    const Box near = grown(changed, kDecidedReachM, options_.resolution_m);
+    const Box touched = grown(changed, kTouchedM, options_.resolution_m);
+    const Box far = grown(changed, kFarM, options_.resolution_m);
+    std::set<std::uint32_t> rooms;
+    for (std::int32_t y = touched.low.y; y <= touched.high.y; ++y) {
+        for (std::int32_t x = touched.low.x; x <= touched.high.x; ++x) {
+            if (room_at({x, y}) != 0) rooms.insert(room_at({x, y}));
+        }
+    }
+    Box decided = near;
+    for (const std::uint32_t room : rooms) decided.include(rooms_.at(room).box);
+    return {{std::max(decided.low.x, far.low.x), std::max(decided.low.y, far.low.y)},
+            {std::min(decided.high.x, far.high.x), std::min(decided.high.y, far.high.y)}};
+}
+
+LocalWindow Follower::read_window(const Box& decided) const {
+    const Box box = grown(decided, kDecidedReachM, options_.resolution_m);
+    LocalWindow window{Raster<CellState>(box, CellState::unknown), Raster<std::uint32_t>(box),
+                       decided, options_.resolution_m};
+    for (std::size_t i = 0; i < window.states.values.size(); ++i) {
+        const Cell cell = window.states.cell(i);
+        window.states.values[i] = map_.state(cell);
+        window.rooms.values[i] = room_at(cell);
+    }
+    return window;
+}
+
+void Follower::cut_window(const Box& changed, FollowUpdate& update) {
+    ++num_cuts_;
+    const Box decided = cells_to_decide(changed);
+    make_room_for(grown(decided, kDecidedReachM, options_.resolution_m));
+    const LocalWindow window = read_window(decided);
+    const Executor executor{static_cast<int>(options_.segment.num_threads)};
+    outside_.clear();
+    const LocalCut cut = cut_locally(
+        window, options_.segment,
+        [&](std::uint32_t room, const std::vector<Cell>& parts,
+            const Raster<std::uint32_t>& pieces) {
+            return look_beyond(window, room, parts, pieces);
+        },
+        executor);
+    update.graph_nodes = std::max(update.graph_nodes, cut.num_nodes);
+    const std::vector<std::uint32_t> room_of_region = name_regions(window, cut, update);
+    write_window(window, cut, room_of_region, update);
+    update_rooms(window, cut, room_of_region, update);
+}
+
+BeyondWindow Follower::look_beyond(const LocalWindow& window, std::uint32_t room,
+                                   const std::vector<Cell>& parts,
+                                   const Raster<std::uint32_t>& pieces) {
+    const Outside& outside = outside_[room] = groups_outside(window, room, parts, pieces);
+    BeyondWindow beyond{outside.group_of_part, {}};
+    const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    for (std::size_t group = 0; group < outside.num_cells.size(); ++group) {
+        beyond.groups.push_back({static_cast<double>(outside.num_cells[group]) * cell_m2,
+                                 outside.num_cells[group] == 0 ? 0.0 : rooms_.at(room).peak_m,
+                                 openings_outside(window, room, outside, group)});
+    }
+    return beyond;
+}
+
+Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint32_t room,
+                                           const std::vector<Cell>& parts,
+                                           const Raster<std::uint32_t>& pieces) const {
+    const FollowedRoom& known = rooms_.at(room);
+    const auto num_inside = static_cast<std::size_t>(
+        std::count(window.rooms.values.begin(), window.rooms.values.end(), room));
+    if (parts.size() == 1) return {{0}, {known.num_cells - num_inside}, {}};
+    // Several parts: a walk through the room, around what is cut anew, tells which are connected.
+    Outside outside;
+    outside.groups = Raster<std::uint32_t>(known.box);
+    const auto is_way = [&](Cell cell) {
+        if (!known.box.contains(cell) || room_at(cell) != room) return false;
+        if (!pieces.contains(cell)) return true;
+        const std::uint32_t piece = pieces.at(cell);
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](Cell part) { return pieces.at(part) == piece; });
+    };
+    for (const Cell part : parts) {
+        std::uint32_t& seed = outside.groups.at(part);
+        if (seed == 0) {
+            outside.num_cells.push_back(0);
+            seed = static_cast<std::uint32_t>(outside.num_cells.size());
+            std::vector<Cell> waiting{part};
+            while (!waiting.empty()) {
+                const Cell at = waiting.back();
+                waiting.pop_back();
+                if (!pieces.contains(at)) ++outside.num_cells.back();
+                for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
+                                        Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}}) {
+                    if (!is_way(next) || outside.groups.at(next) != 0) continue;
+                    outside.groups.at(next) =
+                        static_cast<std::uint32_t>(outside.num_cells.size());
+                    waiting.push_back(next);
+                }
+            }
+        }
+        outside.group_of_part.push_back(outside.groups.at(part) - 1);
+    }
+    return outside;
+}
+
+std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t room,
+                                       const Outside& outside, std::size_t group) const {
+    const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    std::set<std::uint32_t> neighbours;
+    for (const LocalOpening& opening : openings_) {
+        if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
+        for (const auto& [own, far] : {std::pair{opening.a, opening.b},
+                                       std::pair{opening.b, opening.a}}) {
+            if (room_at(own) != room || room_at(far) == room || room_at(far) == 0) continue;
+            if (!outside.groups.values.empty() && outside.groups.at(own) != group + 1) continue;
+            const auto other = rooms_.find(room_at(far));
+            if (other == rooms_.end()) continue;
+            const bool is_place = static_cast<double>(other->second.num_cells) * cell_m2 >= kPlaceM2;
+            if (is_place) neighbours.insert(other->first);
+        }
+    }
+    return neighbours.size();
+}
+
+/// Ids by what regions and rooms share, the largest first (see track()).
+std::vector<std::uint32_t> Follower::name_regions(const LocalWindow& window, const LocalCut& cut,
+                                                  FollowUpdate& update) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> shared;
+    std::vector<std::size_t> region_cells(cut.num_regions + std::size_t{1}, 0);
+    std::set<std::uint32_t> rooms_here;
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const std::uint32_t region = cut.regions.values[i];
+        const std::uint32_t room = window.rooms.values[i];
+        if (room != 0) rooms_here.insert(room);
+        if (region == 0) continue;
+        ++region_cells[region];
+        if (room != 0) ++shared[{region, room}];
+    }
+    std::set<std::pair<std::uint32_t, std::size_t>> counted;
+    std::map<std::uint32_t, std::size_t> next_part;
+    for (std::size_t k = 0; k < cut.kept.size(); ++k) {
+        const std::uint32_t room = cut.kept[k].room;
+        const Outside& outside = outside_.at(room);
+        const std::size_t group = outside.group_of_part[next_part[room]++];
+        if (cut.region_of_kept[k] == 0 || !counted.insert({room, group}).second) continue;
+        region_cells[cut.region_of_kept[k]] += outside.num_cells[group];
+        shared[{cut.region_of_kept[k], room}] += outside.num_cells[group];
+    }
+    std::vector<std::array<std::size_t, 3>> largest_first;
+    for (const auto& [pair, count] : shared) {
+        largest_first.push_back({count, pair.first, pair.second});
+    }
+    std::stable_sort(largest_first.begin(), largest_first.end(),
+                     [](const auto& p, const auto& q) { return p[0] > q[0]; });
+    std::vector<std::uint32_t> room_of_region(cut.num_regions + std::size_t{1}, 0);
+    std::map<std::uint32_t, std::uint32_t> region_of_room;
+    std::vector<std::uint32_t> holder_of_region(cut.num_regions + std::size_t{1}, 0);
+    std::map<std::uint32_t, std::uint32_t> holder_of_room;
+    for (const auto& [count, region_at, room_at] : largest_first) {
+        const auto region = static_cast<std::uint32_t>(region_at);
+        const auto room = static_cast<std::uint32_t>(room_at);
+        const bool has_room = 2 * count >= rooms_.at(room).num_cells;
+        const bool has_region = 2 * count >= region_cells[region];
+        if (has_room) holder_of_room.emplace(room, region);
+        if (has_region && holder_of_region[region] == 0) holder_of_region[region] = room;
+        if ((has_room || has_region) && room_of_region[region] == 0 &&
+            region_of_room.emplace(room, region).second) {
+            room_of_region[region] = room;
+        }
+    }
+    const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    for (std::uint32_t region = 1; region <= cut.num_regions; ++region) {
+        if (room_of_region[region] != 0) continue;
+        room_of_region[region] = next_id_++;
+        const std::uint32_t parent = holder_of_region[region];
+        const std::string area =
+            square_metres(static_cast<double>(region_cells[region]) * cell_m2);
+        update.events.push_back({parent == 0 ? RoomLife::born : RoomLife::split,
+                                 RoomId{room_of_region[region]}, RoomId{parent},
+                                 parent == 0 ? area + " seen for the first time"
+                                             : area + " behind a door"});
+    }
+    for (const std::uint32_t room : rooms_here) {
+        if (region_of_room.count(room) != 0) continue;
+        const auto heir = holder_of_room.find(room);
+        const bool is_merged = heir != holder_of_room.end();
+        update.events.push_back(
+            {is_merged ? RoomLife::merged : RoomLife::retired, RoomId{room},
+             RoomId{is_merged ? room_of_region[heir->second] : 0},
+             is_merged ? "nothing like a door is between them" : "its floor is no longer free"});
+    }
+    return room_of_region;
+}
+
+void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
+                            const std::vector<std::uint32_t>& room_of_region,
+                            FollowUpdate& update) {
+    const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    std::map<std::uint32_t, std::size_t> next_part;
+    std::set<std::pair<std::uint32_t, std::size_t>> renamed;
+    for (std::size_t k = 0; k < cut.kept.size(); ++k) {
+        const std::uint32_t room = cut.kept[k].room;
+        const std::size_t group = outside_.at(room).group_of_part[next_part[room]++];
+        const std::uint32_t now = room_of_region[cut.region_of_kept[k]];
+        if (now != room && now != 0 && renamed.insert({room, group}).second) {
+            rename_outside(window, room, group, now, update);
+        }
+    }
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const Cell cell = cut.regions.cell(i);
+        const std::uint32_t now = room_of_region[cut.regions.values[i]];
+        std::uint32_t& label = labels_.at(cell);
+        if (label != 0 && now != 0 && label != now) update.relabelled_m2 += cell_m2;
+        label = now;
+        if (window.decided.contains(cell)) {
+            cut_free_.at(cell) = window.states.values[i] == CellState::free ? 1 : 0;
+        }
+    }
+    const Cell low = tile_of(window.decided.low);
+    const Cell high = tile_of(window.decided.high);
+    for (auto at = changed_tiles_.begin(); at != changed_tiles_.end();) {
+        const auto [x, y] = at->first;
+        const bool is_done = x > low.x && x < high.x && y > low.y && y < high.y;
+        if (is_done) num_changed_ -= at->second;
+        at = is_done ? changed_tiles_.erase(at) : std::next(at);
+    }
+    std::erase_if(openings_,
+                  [&](const LocalOpening& opening) { return window.decided.contains(opening.a); });
+    openings_.insert(openings_.end(), cut.openings.begin(), cut.openings.end());
+}
+
+void Follower::rename_outside(const LocalWindow& window, std::uint32_t room, std::size_t group,
+                              std::uint32_t now, FollowUpdate& update) {
+    const Outside& outside = outside_.at(room);
+    const Box& box = rooms_.at(room).box;
+    for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
+        for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
+            const Cell cell{x, y};
+            if (room_at(cell) != room || window.states.contains(cell)) continue;
+            if (!outside.groups.values.empty() && outside.groups.at(cell) != group + 1) continue;
+            labels_.at(cell) = now;
+            update.relabelled_m2 += options_.resolution_m * options_.resolution_m;
+        }
+    }
+}
+
+void Follower::update_rooms(const LocalWindow& window, const LocalCut& cut,
+                            const std::vector<std::uint32_t>& room_of_region,
+                            FollowUpdate& update) {
+    // What rooms have outside goes to their heirs.
+    std::map<std::uint32_t, FollowedRoom> changed;
+    std::map<std::uint32_t, std::size_t> num_inside;
+    for (const std::uint32_t room : window.rooms.values) {
+        if (room != 0) ++num_inside[room];
+    }
+    for (const auto& [room, cells] : num_inside) {
+        const FollowedRoom& before = rooms_.at(room);
+        FollowedRoom& rest = changed[room];
+        rest = before;
+        rest.num_cells -= cells;
+    }
+    std::map<std::uint32_t, std::size_t> next_part;
+    std::set<std::pair<std::uint32_t, std::size_t>> moved;
+    for (std::size_t k = 0; k < cut.kept.size(); ++k) {
+        const std::uint32_t room = cut.kept[k].room;
+        const Outside& outside = outside_.at(room);
+        const std::size_t group = outside.group_of_part[next_part[room]++];
+        const std::uint32_t now = room_of_region[cut.region_of_kept[k]];
+        if (now == room || now == 0 || !moved.insert({room, group}).second) continue;
+        changed[room].num_cells -= outside.num_cells[group];
+        changed[now].num_cells += outside.num_cells[group];
+        changed[now].box.include(rooms_.at(room).box);
+    }
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const std::uint32_t region = cut.regions.values[i];
+        if (region == 0) continue;
+        FollowedRoom& room = changed[room_of_region[region]];
+        ++room.num_cells;
+        const Cell cell = cut.regions.cell(i);
+        room.box.include({cell, cell});
+    }
+    for (std::uint32_t region = 1; region <= cut.num_regions; ++region) {
+        changed[room_of_region[region]].peak_m = cut.peak_m[region];
+    }
+    const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    for (auto& [id, room] : changed) {
+        if (room.num_cells == 0) {
+            rooms_.erase(id);
+            continue;
+        }
+        const double area_m2 = static_cast<double>(room.num_cells) * cell_m2;
+        if (room.announced_m2 == 0.0) room.announced_m2 = area_m2;
+        if (area_m2 > kGrownShare * room.announced_m2 + kGrownM2) {
+            update.events.push_back({RoomLife::grown, RoomId{id}, RoomId{},
+                                     "from " + square_metres(room.announced_m2) + " to " +
+                                         square_metres(area_m2)});
+            room.announced_m2 = area_m2;
+        }
+        rooms_[id] = room;
+    }
+}
+
+}  // namespace quadcut
