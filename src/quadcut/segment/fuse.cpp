@@ -13,13 +13,18 @@ namespace {
 
 /// From granularity 0 to 1 the threshold falls by so much: the range in which rooms differ.
 constexpr double kLogOddsOfGranularity = 12.0;
+/// At the default granularity a cut needs somewhat more than even odds: in maps of few and noisy
+/// scans much looks like a door that is none.
+constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
 /// By the ratio, openings of no width have the highest granularity's log-odds.
 constexpr double kLogOddsOfRatio = 8.0;
 
 }  // namespace
 
-double fuse_threshold(double granularity) { return kLogOddsOfGranularity * (0.5 - granularity); }
+double fuse_threshold(double granularity) {
+    return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
+}
 
 Fuser::Fuser(RegionGraph& regions, const DoorRule& rule) : regions_(regions), rule_(rule) {
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
@@ -40,7 +45,7 @@ double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
     if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));
     const double ratio = half_width_m / std::min(regions_.peak_m(a), regions_.peak_m(b));
-    return kLogOddsOfRatio * (rule_.min_ratio - ratio);
+    return kDefaultLogOdds + kLogOddsOfRatio * (rule_.min_ratio - ratio);
 }
 
 void Fuser::fuse_below(double min_log_odds) {
