@@ -71,7 +71,8 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     }
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)), door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)),
+                     door_log_odds(narrowing));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
