@@ -20,7 +20,7 @@ namespace quadcut {
 inline constexpr std::array<double, 3> kFurniture{0.0, 0.5, 1.0};
 /// Furniture, direction, way of mapping: each building is one combination.
 inline constexpr std::size_t kNumCombinations = 12;
-/// The door model is trained on the seeds 1000 to 1299 (micro_doors --buildings 300): these are
+/// The door model is trained on the seeds 1000 to 1599 (micro_doors --buildings 600): these are
 /// other buildings.
 inline constexpr std::uint64_t kFirstSeed = 5001;
 

@@ -35,7 +35,8 @@ inline std::vector<DataMap> read_data_maps(const std::string& building = "") {
         map.name = entry.path().stem().string();
         map.building = map.name.substr(0, map.name.find('.'));
         if (!building.empty() && map.building != building) continue;
-        map.kind = map.building.rfind("kth_", 0) == 0 ? "kth" : map.name.substr(map.name.find('.') + 1);
+        map.kind =
+            map.building.rfind("kth_", 0) == 0 ? "kth" : map.name.substr(map.name.find('.') + 1);
         map.map = io::read_map(entry.path()).map;
         map.truth = io::read_label_image(folder / (map.building + ".rooms.png"));
         maps.push_back(std::move(map));

@@ -65,9 +65,8 @@ std::vector<Variant> variants() {
         })};
     all.push_back({"furniture", "every obstacle counts",
                    [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }});
-    all.push_back({"furniture", "small ones do not count", [](SegmentOptions& options) {
-                       options.rooms.furniture = FurnitureRule::size;
-                   }});
+    all.push_back({"furniture", "small ones do not count",
+                   [](SegmentOptions& options) { options.rooms.furniture = FurnitureRule::size; }});
     all.push_back({"furniture", "small ones with room around do not", [](SegmentOptions& options) {
                        options.rooms.furniture = FurnitureRule::reach;
                    }});

@@ -186,8 +186,9 @@ void add_data(Report& report) {
         const Raster<std::uint32_t> truth = as_raster(data.truth);
         report.add(data.name, data.building, data.kind, decide_by_truth(data.map, truth));
         const auto add_changed = [&](const Resampling& change) {
-            report.add(data.name, data.building, data.kind + " changed",
-                       decide_by_truth(resample(data.map, change), resample_nearest(truth, change)));
+            report.add(
+                data.name, data.building, data.kind + " changed",
+                decide_by_truth(resample(data.map, change), resample_nearest(truth, change)));
         };
         for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
         for (const double cells : kScaled) add_changed(scaled(data.map, cells));

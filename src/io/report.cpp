@@ -85,8 +85,9 @@ std::string to_report_json(const GridMap& map, const Segmentation& segmentation,
     for (const auto& [stage, ms] : stages_ms) json.key(stage).number(ms);
     // Whoever reads reports finds all stages of the method: what was not needed took no time.
     for (const std::string stage : {"map", "graph", "eigen", "cluster", "fuse"}) {
-        const bool is_listed = std::any_of(stages_ms.begin(), stages_ms.end(),
-                                           [&](const auto& listed) { return listed.first == stage; });
+        const bool is_listed =
+            std::any_of(stages_ms.begin(), stages_ms.end(),
+                        [&](const auto& listed) { return listed.first == stage; });
         if (!is_listed) json.key(stage).number(0.0);
     }
     return json.end_object().end_object().finish();

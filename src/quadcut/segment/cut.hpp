@@ -50,10 +50,10 @@ struct OverCutOptions {
     std::uint64_t seed = 1;
 };
 
-/// Cuts a region finer than rooms: by default an area-normalised Laplacian, all eigenvectors below the limit,
-/// column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.8 / m^2 gives
-/// pieces of about 16 m^2; every doorway is among the cuts, and so are many that are none.
-/// Throws NumericalError if the eigensolver fails its own checks.
+/// Cuts a region finer than rooms: by default an area-normalised Laplacian, all eigenvectors below
+/// the limit, column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.8 /
+/// m^2 gives pieces of about 16 m^2; every doorway is among the cuts, and so are many that are
+/// none. Throws NumericalError if the eigensolver fails its own checks.
 [[nodiscard]] Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& clock,
                               const Executor& executor = {});
 

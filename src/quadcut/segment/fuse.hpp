@@ -14,8 +14,7 @@
 
 namespace quadcut {
 
-/// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many); 0 for
-/// the default of 0.5.
+/// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many).
 [[nodiscard]] double fuse_threshold(double granularity);
 
 /// How door-like a cut is.

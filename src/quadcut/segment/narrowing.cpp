@@ -15,6 +15,30 @@ constexpr double kStepM = 0.1;
 constexpr std::array<double, 3> kPeakWithinM{1.5, 3.0, kNarrowingReachM};
 constexpr std::array<double, 2> kAreaWithinM{3.0, kNarrowingReachM};
 
+/// What a walk has come by so far.
+struct WalkedPlaces {
+    float peak_m = 0.0F;
+    double count = 0.0;
+    double sum_squares = 0.0;
+
+    void add(float clearance_m, float aside) {
+        peak_m = std::max(peak_m, clearance_m);
+        sum_squares += static_cast<double>(aside) * aside;
+        count += 1.0;
+    }
+    /// All paths up to this length have been walked.
+    void note(double path_m, double step_m, SideOfSaddle& side) const {
+        for (std::size_t i = 0; i < kPeakWithinM.size(); ++i) {
+            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = static_cast<double>(peak_m);
+        }
+        for (std::size_t i = 0; i < kAreaWithinM.size(); ++i) {
+            if (path_m > kAreaWithinM[i]) continue;
+            side.area_m2[i] = count * step_m * step_m;
+            side.spread_m[i] = std::sqrt(sum_squares / count) * step_m;
+        }
+    }
+};
+
 std::int32_t stride_of(double resolution_m) {
     return std::max(1, static_cast<std::int32_t>(std::lround(kStepM / resolution_m)));
 }
@@ -64,18 +88,14 @@ SideOfSaddle NarrowingGauge::walk_outward(Cell seed, const Direction& along,
     const auto centre = static_cast<std::uint32_t>(radius_);
     reach((centre << row_bits_) + centre, kStart);
     const std::uint32_t up = 1U << row_bits_;
+    WalkedPlaces walked;
     SideOfSaddle side;
-    float peak_m = 0.0F;
-    double num_places = 0.0;
-    double sum_squares = 0.0;
     for (std::uint32_t length = kStart; length + 8 < buckets_.size(); ++length) {
         for (std::size_t i = 0; i < buckets_[length].size(); ++i) {
             const std::uint32_t at = buckets_[length][i];
             const Place& place = places_[at];
             if (place.length != length) continue;
-            peak_m = std::max(peak_m, place.clearance_m);
-            sum_squares += static_cast<double>(place.aside) * place.aside;
-            num_places += 1.0;
+            walked.add(place.clearance_m, place.aside);
             for (const std::uint32_t next : {at - 1, at + 1, at - up, at + up}) {
                 reach(next, length + 5);
             }
@@ -85,14 +105,7 @@ SideOfSaddle NarrowingGauge::walk_outward(Cell seed, const Direction& along,
         }
         const double path_m = static_cast<double>(length - kStart) * step_m_ / 5.0;
         if (!buckets_[length].empty()) side.reach_m = path_m;
-        for (std::size_t i = 0; i < kPeakWithinM.size(); ++i) {
-            if (path_m <= kPeakWithinM[i]) side.peak_m[i] = static_cast<double>(peak_m);
-        }
-        for (std::size_t i = 0; i < kAreaWithinM.size(); ++i) {
-            if (path_m > kAreaWithinM[i]) continue;
-            side.area_m2[i] = num_places * step_m_ * step_m_;
-            side.spread_m[i] = std::sqrt(sum_squares / num_places) * step_m_;
-        }
+        walked.note(path_m, step_m_, side);
     }
     return side;
 }

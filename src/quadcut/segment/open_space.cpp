@@ -55,7 +55,8 @@ public:
     [[nodiscard]] bool is_pier(const std::vector<std::size_t>& obstacle) const {
         // The leaf of an open door may stand out of a pier: cells all over it are tried.
         Box box;
-        for (const std::size_t offset : obstacle) box.include({free_.cell(offset), free_.cell(offset)});
+        for (const std::size_t offset : obstacle)
+            box.include({free_.cell(offset), free_.cell(offset)});
         const double extent = std::hypot(box.width() - 1, box.height() - 1);
         const std::size_t num_tried =
             std::min(kMaxTried, 1 + static_cast<std::size_t>(extent / between_tried_));
@@ -65,8 +66,8 @@ public:
             const Point middle{cell.x + 0.5, cell.y + 0.5};
             for (const Point& along : directions_) {
                 const double ahead = gap_to_wall(middle, along, max_gap_);
-                const double behind = gap_to_wall(middle, {-along.x, -along.y},
-                                                  std::isinf(ahead) ? flaw_ : max_gap_);
+                const double behind =
+                    gap_to_wall(middle, {-along.x, -along.y}, std::isinf(ahead) ? flaw_ : max_gap_);
                 if (std::max(ahead, behind) <= max_gap_) return true;
                 if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(middle, along)) {
                     return true;
@@ -104,8 +105,7 @@ private:
     }
     /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
     /// length of the gap; infinite when there is no such wall within `max_gap`.
-    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along,
-                                     double max_gap) const {
+    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along, double max_gap) const {
         constexpr double kNone = std::numeric_limits<double>::infinity();
         const auto at = [&](double t) { return Point{from.x + t * along.x, from.y + t * along.y}; };
         double t = 0.0;
@@ -169,8 +169,7 @@ void set_all(Raster<std::uint8_t>& open, const Obstacles& obstacles, std::uint8_
 Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
                                 double max_furniture_m2, FurnitureRule rule,
                                 const Executor& executor) {
-    const Obstacles small =
-        small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m));
+    const Obstacles small = small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m));
     std::vector<std::uint8_t> is_wall(small.size(), 0);
     Raster<std::uint8_t> open = kept;
     set_all(open, small, 1);
@@ -185,9 +184,11 @@ Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolut
     } else if (rule == FurnitureRule::reach) {
         const Raster<float> clearance = clearance_m(open, resolution_m, executor);
         for (std::size_t i = 0; i < small.size(); ++i) {
-            is_wall[i] = std::all_of(small[i].begin(), small[i].end(), [&](std::size_t cell) {
-                return clearance.values[cell] < kReachM;
-            }) ? 1 : 0;
+            is_wall[i] =
+                std::all_of(small[i].begin(), small[i].end(),
+                            [&](std::size_t cell) { return clearance.values[cell] < kReachM; })
+                    ? 1
+                    : 0;
         }
     }
     for (std::size_t i = 0; i < small.size(); ++i) {

@@ -123,7 +123,7 @@ void RegionGraph::measure_all(const Executor& executor) {
                          tasks[i].narrowing = gauge.measure(*tasks[i].saddle, {pieces_, region_});
                      }
                  });
-    for (Task& task : tasks) measured_.emplace(task.pair, std::move(task.narrowing));
+    for (const Task& task : tasks) measured_.emplace(task.pair, task.narrowing);
 }
 
 Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,

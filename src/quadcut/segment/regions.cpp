@@ -207,7 +207,8 @@ bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& fr
             (is_small ? kMinShare : kMinShareAround) * static_cast<double>(walk.num_starts);
         // Two small rooms beside each other are no pockets of each other.
         const bool is_adopted =
-            room != 0 && (!is_room || num_cells[room] > std::max(pockets.max_cells, 2 * pocket.size())) &&
+            room != 0 &&
+            (!is_room || num_cells[room] > std::max(pockets.max_cells, 2 * pocket.size())) &&
             (is_small || walk.ways.size() == 1) &&
             static_cast<double>(walk.ways.at(room)) >= min_ways;
         for (std::size_t i = 0; i < pocket.size(); ++i) {

@@ -126,8 +126,8 @@ Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>
 
 /// The spectral over-cut, its borders moved to the narrowest lines.
 Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
-                        const SegmentOptions& options, StageClock& clock, const Executor& executor,
-                        SegmentReport& report) {
+                       const SegmentOptions& options, StageClock& clock, const Executor& executor,
+                       SegmentReport& report) {
     clock.begin("map");
     const FreeLeaves leaves = free_leaves(open_map);
     clock.begin("graph");
@@ -170,13 +170,12 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     const auto kept = laid_out<std::uint8_t>(kept_in_map, layout, 0);
     // 2. Clearance, in which furniture does not count.
     clock.begin("clearance");
-    const Raster<std::uint8_t> open =
-        open_space(kept, map.resolution_m, options.rooms.max_furniture_m2, options.rooms.furniture,
-                   executor);
+    const Raster<std::uint8_t> open = open_space(
+        kept, map.resolution_m, options.rooms.max_furniture_m2, options.rooms.furniture, executor);
     const Raster<float> clearance = clearance_m(open, map.resolution_m, executor);
     // 3. Pieces: the basins of the clearance, or the spectral over-cut of the quadtree's leaves.
-    const Basins pieces = find_pieces(open, clearance, map.resolution_m, options, clock, executor,
-                                      result.report);
+    const Basins pieces =
+        find_pieces(open, clearance, map.resolution_m, options, clock, executor, result.report);
     // 4. Pieces are fused into rooms.
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
     clock.begin("graph");

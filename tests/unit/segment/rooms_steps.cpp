@@ -71,7 +71,8 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     }
     EXPECT_GT(door_log_odds(narrowing), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)), door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)),
+                     door_log_odds(narrowing));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
@@ -190,7 +191,7 @@ TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
         EXPECT_GE(rooms.num_regions(), previous);
         previous = rooms.num_regions();
     }
-    EXPECT_DOUBLE_EQ(fuse_threshold(0.5), 0.0);
+    EXPECT_GT(fuse_threshold(0.5), 0.0) << "a cut needs more than even odds";
 }
 
 TEST(Fuse, ToStopHalfwayChangesNothing) {
