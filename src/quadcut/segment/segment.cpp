@@ -32,7 +32,7 @@ namespace {
 
 /// What is enclosed by an outline up to this size is the inside of furniture.
 constexpr double kMaxPocketM2 = 4.0;
-/// No robot fits through what is narrower.
+/// Narrower openings are gaps in the map.
 constexpr double kMinDoorM = 0.3;
 
 /// The quadtree's leaves, and which of them are free: the nodes of the graph.
@@ -127,7 +127,7 @@ Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>
     return painted;
 }
 
-/// The spectral over-cut, its borders moved to the narrowest lines.
+/// The spectral over-cut; its borders are moved to the narrowest lines unless they are to stay.
 Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
                        const SegmentOptions& options, StageClock& clock, const Executor& executor,
                        SegmentReport& report) {
@@ -160,14 +160,6 @@ Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& cleara
     return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
 }
 
-/// What is enclosed by furniture belongs to the room around it; rooms stay connected.
-void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                  const Pockets& pockets) {
-    const bool is_any_adopted = adopt_pockets(labels, free, pockets);
-    drop_without_floor(labels, free);
-    if (is_any_adopted) connect_regions(labels);
-}
-
 /// Pieces are fused unless a door is between them: first as far as at the highest granularity, of
 /// whose regions all rooms are unions. Labels come out with regions of any number.
 Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& clearance,
@@ -176,29 +168,33 @@ Raster<std::uint32_t> fuse_pieces(const Basins& pieces, const Raster<float>& cle
                                   const Executor& executor, Segmentation& result) {
     clock.begin("graph");
     RegionGraph regions(pieces.labels, pieces.count, clearance, resolution_m);
-    regions.measure_all(executor);
     if (options.rooms.pieces == PieceSource::basins) {
         result.report.num_leaves = pieces.count;
         result.report.num_edges = regions.num_saddles();
     }
     clock.begin("fuse");
     const DoorRule rule{options.rooms.door_width_m, options.rooms.fuse, options.rooms.min_ratio};
+    const auto measure_ahead = [&] {
+        if (rule.by == FuseRule::model) regions.measure_all(rule.max_width_m, executor);
+    };
+    measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.rooms.min_room_m2, options.rooms.min_passable_m);
     Raster<std::uint32_t> labels = pieces.labels;
     relabel(regions, labels);
     connect_regions(labels);
     drop_impassable(labels, clearance, options.rooms.min_passable_m);
-    const Pockets pockets = find_pockets(labels, free, resolution_m, kMaxPocketM2);
-    tidy_pockets(labels, free, pockets);
+    // What is enclosed by furniture belongs to the room around it; rooms stay connected.
+    const Adoption adoption =
+        adopt_pockets(labels, free, find_pockets(labels, free, resolution_m, kMaxPocketM2));
+    drop_without_floor(labels, free);
+    if (adoption.is_any) connect_regions(labels);
     if (options.with_hierarchy) {
-        result.hierarchy = build_hierarchy(labels, regions, rule);
+        result.hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
     }
-    regions.measure_all(executor);
+    measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(options.rooms.granularity));
-    relabel(regions, labels);
-    // A large table in a hall may have had several regions around it.
-    tidy_pockets(labels, free, pockets);
+    relabel(regions, labels, adoption.enclosures);
     return labels;
 }
 
