@@ -8,7 +8,8 @@ namespace quadcut {
 
 /// The watershed of the clearance alone: every obstacle counts, and regions are fused when the
 /// narrowest place between them has three quarters of the smaller width, or is 3 m wide. What the
-/// door model, the spectral cut and the treatment of furniture are measured against.
+/// door model and the treatment of furniture are measured against. Regions smaller than a room join
+/// a neighbour before the ratio is asked, as they do by default.
 inline SegmentOptions watershed_baseline() {
     SegmentOptions options;
     options.rooms.pieces = PieceSource::basins;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ Variant by_ratio(int percent) {
             }};
 }
 
-/// By what the eigenvalues of the over-cut are compared with: pieces of about 16 m^2 at 0.8 / m^2.
+/// The spectral cut in front, and one thing about it changed. Pieces have about 16 m^2 at 0.8 /
+/// m^2.
 Variant spectral(const std::string& ingredient, const std::string& name,
                  const std::function<void(RoomsOptions&)>& change) {
     return {ingredient, name, [change](SegmentOptions& options) {

@@ -21,6 +21,7 @@
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/basins.hpp"
 #include "quadcut/segment/door_model.hpp"
+#include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/open_space.hpp"
 #include "quadcut/segment/options.hpp"
@@ -36,6 +37,8 @@ constexpr double kMinAreaM2 = 0.5;
 /// Other directions and resolutions than those that micro_invariance tries.
 constexpr std::array<double, 3> kTurnedDegrees{17.0, 37.0, 60.0};
 constexpr std::array<double, 2> kScaled{0.7, 1.5};
+/// From these log-odds on a cut is kept.
+const double kKept = fuse_threshold(RoomsOptions{}.granularity);
 /// A component this small is the inside of furniture, not of a building.
 constexpr double kMinComponentM2 = 4.0;
 
@@ -121,7 +124,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
         const std::uint32_t room_a = rooms.room_of(top.a);
         const std::uint32_t room_b = rooms.room_of(top.b);
         const bool is_clear = room_a != 0 && room_b != 0;
-        top.sample.is_cut = is_clear ? room_a != room_b : top.sample.log_odds >= 0.0;
+        top.sample.is_cut = is_clear ? room_a != room_b : top.sample.log_odds >= kKept;
         const double area_m2 = std::min(regions.area_m2(top.a), regions.area_m2(top.b));
         if (is_clear && area_m2 >= kMinAreaM2) samples.push_back(top.sample);
         if (top.sample.is_cut) continue;
@@ -156,8 +159,8 @@ public:
         Tally& tally = tallies_[kind];
         for (const Sample& sample : samples) {
             ++(sample.is_cut ? tally.cuts : tally.others);
-            if (sample.is_cut && sample.log_odds < 0.0) ++tally.missed;
-            if (!sample.is_cut && sample.log_odds >= 0.0) ++tally.invented;
+            if (sample.is_cut && sample.log_odds < kKept) ++tally.missed;
+            if (!sample.is_cut && sample.log_odds >= kKept) ++tally.invented;
             if (!csv_.is_open()) continue;
             csv_ << map << ',' << group << ',' << kind << ',' << (sample.is_cut ? 1 : 0);
             for (const float cue : sample.cues) csv_ << ',' << cue;

@@ -11,9 +11,11 @@ ways. Prints each map as it is, left out, and the table; keeps all scores in bui
 """
 
 import csv
+import signal
 import statistics
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -58,12 +60,19 @@ def with_best_ratio(rows, judges):
 
 
 def main():
+    if not MAPS.exists():
+        print(f"no data in {MAPS}: nothing to measure")
+        return
     OUT.mkdir(parents=True, exist_ok=True)
     samples = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/doors.csv").resolve()
     if not samples.exists():
         print("collecting decisions: about ten minutes", file=sys.stderr)
         run(BENCH / "micro_doors", "-o", samples, "--buildings", "600")
+    else:
+        print("decisions of", time.strftime("%Y-%m-%d %H:%M", time.localtime(
+            samples.stat().st_mtime)), "from", samples, file=sys.stderr)
     trees = TREES.read_text()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     buildings = sorted({path.name.split(".")[0] for path in MAPS.glob("*.yaml")})
     try:
         for building in buildings:

@@ -46,6 +46,7 @@ struct OverCutOptions {
     /// Eigenpairs of one solve; a region with more of them below the limit is cut recursively, so
     /// that no solve grows with the size of the map.
     std::size_t max_pairs = 24;
+    /// By degree, or unweighted, eigenvalues and their limit have no unit.
     LaplacianKind laplacian = LaplacianKind::area;
     std::uint64_t seed = 1;
 };

@@ -18,8 +18,8 @@ inline constexpr std::size_t kNumDoorCues = 39;
 
 [[nodiscard]] const std::array<std::string_view, kNumDoorCues>& door_cue_names();
 
-/// How clearly a narrowing is a door: the logarithm of the odds. Positive: keep the cut. A sum of
-/// small decision trees, learnt from cuts that people made or left out
+/// How clearly a narrowing is a door: the logarithm of the odds (fuse_threshold() says from where
+/// on a cut is kept). A sum of small decision trees, learnt from cuts that people made or left out
 /// (docs/decisions/0008-door-model.md); more wall beside an opening, or more room behind it, never
 /// makes a door less likely.
 [[nodiscard]] double door_log_odds(const Narrowing& narrowing);

@@ -89,6 +89,14 @@ private:
         /// 1 + the group of each cell; empty when there is one group only.
         Raster<std::uint32_t> groups;
     };
+    /// What the regions of a window and the rooms there were share.
+    struct Overlaps {
+        /// Cells by region and room, those outside of the window included.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> shared;
+        std::vector<std::size_t> region_cells;
+        /// Cells of each room in the window.
+        std::map<std::uint32_t, std::size_t> cells_inside;
+    };
     struct FollowedRoom {
         std::size_t num_cells = 0;
         double peak_m = 0.0;
@@ -109,14 +117,17 @@ private:
                                          const Raster<std::uint32_t>& pieces) const;
     [[nodiscard]] std::size_t openings_outside(const LocalWindow& window, std::uint32_t room,
                                                const Outside& outside, std::size_t group) const;
-    [[nodiscard]] std::vector<std::uint32_t> name_regions(const LocalWindow& window,
-                                                          const LocalCut& cut,
+    template <typename Visit>
+    void for_each_group(const LocalCut& cut, const Visit& visit) const;
+    [[nodiscard]] Overlaps find_overlaps(const LocalWindow& window, const LocalCut& cut) const;
+    [[nodiscard]] std::vector<std::uint32_t> name_regions(const Overlaps& overlaps,
+                                                          std::uint32_t num_regions,
                                                           FollowUpdate& update);
     void write_window(const LocalWindow& window, const LocalCut& cut,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
     void rename_outside(const LocalWindow& window, std::uint32_t room, std::size_t group,
                         std::uint32_t now, FollowUpdate& update);
-    void update_rooms(const LocalWindow& window, const LocalCut& cut,
+    void update_rooms(const LocalCut& cut, const Overlaps& overlaps,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
     void make_room_for(const Box& cells);
     [[nodiscard]] std::uint32_t room_at(Cell cell) const {

@@ -77,9 +77,11 @@ void Follower::cut_window(const Box& changed, FollowUpdate& update) {
         },
         executor);
     update.graph_nodes = std::max(update.graph_nodes, cut.num_nodes);
-    const std::vector<std::uint32_t> room_of_region = name_regions(window, cut, update);
+    const Overlaps overlaps = find_overlaps(window, cut);
+    const std::vector<std::uint32_t> room_of_region =
+        name_regions(overlaps, cut.num_regions, update);
     write_window(window, cut, room_of_region, update);
-    update_rooms(window, cut, room_of_region, update);
+    update_rooms(cut, overlaps, room_of_region, update);
 }
 
 BeyondWindow Follower::look_beyond(const LocalWindow& window, std::uint32_t room,
@@ -156,72 +158,93 @@ std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t 
     return neighbours.size();
 }
 
-/// Ids by what regions and rooms share, the largest first (see track()).
-std::vector<std::uint32_t> Follower::name_regions(const LocalWindow& window, const LocalCut& cut,
-                                                  FollowUpdate& update) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> shared;
-    std::vector<std::size_t> region_cells(cut.num_regions + std::size_t{1}, 0);
-    std::set<std::uint32_t> rooms_here;
-    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
-        const std::uint32_t region = cut.regions.values[i];
-        const std::uint32_t room = window.rooms.values[i];
-        if (room != 0) rooms_here.insert(room);
-        if (region == 0) continue;
-        ++region_cells[region];
-        if (room != 0) ++shared[{region, room}];
-    }
-    std::set<std::pair<std::uint32_t, std::size_t>> counted;
+/// Calls `visit(room, group, region)` for each part of a room that goes on outside, once a group.
+template <typename Visit>
+void Follower::for_each_group(const LocalCut& cut, const Visit& visit) const {
     std::map<std::uint32_t, std::size_t> next_part;
+    std::set<std::pair<std::uint32_t, std::size_t>> seen;
     for (std::size_t k = 0; k < cut.kept.size(); ++k) {
         const std::uint32_t room = cut.kept[k].room;
-        const Outside& outside = outside_.at(room);
-        const std::size_t group = outside.group_of_part[next_part[room]++];
-        if (cut.region_of_kept[k] == 0 || !counted.insert({room, group}).second) continue;
-        region_cells[cut.region_of_kept[k]] += outside.num_cells[group];
-        shared[{cut.region_of_kept[k], room}] += outside.num_cells[group];
+        const std::size_t group = outside_.at(room).group_of_part[next_part[room]++];
+        const std::uint32_t region = cut.region_of_kept[k];
+        if (region != 0 && seen.insert({room, group}).second) visit(room, group, region);
     }
+}
+
+/// What regions and rooms share, in the window and beyond.
+Follower::Overlaps Follower::find_overlaps(const LocalWindow& window, const LocalCut& cut) const {
+    Overlaps overlaps;
+    overlaps.region_cells.assign(cut.num_regions + std::size_t{1}, 0);
+    std::pair<std::uint32_t, std::uint32_t> last;
+    std::size_t* count = nullptr;
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const std::pair here(cut.regions.values[i], window.rooms.values[i]);
+        // Neighbouring cells mostly have the same.
+        if (count == nullptr || here != last) count = &overlaps.shared[last = here];
+        ++*count;
+        ++overlaps.region_cells[here.first];
+    }
+    for (const auto& [pair, cells] : overlaps.shared) {
+        if (pair.second != 0) overlaps.cells_inside[pair.second] += cells;
+    }
+    std::erase_if(overlaps.shared,
+                  [](const auto& entry) { return entry.first.first == 0 || entry.first.second == 0; });
+    for_each_group(cut, [&](std::uint32_t room, std::size_t group, std::uint32_t region) {
+        const std::size_t cells = outside_.at(room).num_cells[group];
+        overlaps.region_cells[region] += cells;
+        overlaps.shared[{region, room}] += cells;
+    });
+    return overlaps;
+}
+
+/// Ids by what regions and rooms share, the largest first (see track()).
+std::vector<std::uint32_t> Follower::name_regions(const Overlaps& overlaps,
+                                                  std::uint32_t num_regions,
+                                                  FollowUpdate& update) {
     std::vector<std::array<std::size_t, 3>> largest_first;
-    for (const auto& [pair, count] : shared) {
+    for (const auto& [pair, count] : overlaps.shared) {
         largest_first.push_back({count, pair.first, pair.second});
     }
     std::stable_sort(largest_first.begin(), largest_first.end(),
                      [](const auto& p, const auto& q) { return p[0] > q[0]; });
-    std::vector<std::uint32_t> room_of_region(cut.num_regions + std::size_t{1}, 0);
+    std::vector<std::uint32_t> room_of_region(num_regions + std::size_t{1}, 0);
+    std::vector<std::uint32_t> parents(num_regions + std::size_t{1}, 0);
     std::map<std::uint32_t, std::uint32_t> region_of_room;
-    std::vector<std::uint32_t> holder_of_region(cut.num_regions + std::size_t{1}, 0);
-    std::map<std::uint32_t, std::uint32_t> holder_of_room;
-    for (const auto& [count, region_at, room_at] : largest_first) {
-        const auto region = static_cast<std::uint32_t>(region_at);
-        const auto room = static_cast<std::uint32_t>(room_at);
+    std::map<std::uint32_t, std::uint32_t> heirs;
+    for (const auto& [count, region_number, room_number] : largest_first) {
+        const auto region = static_cast<std::uint32_t>(region_number);
+        const auto room = static_cast<std::uint32_t>(room_number);
         const bool has_room = 2 * count >= rooms_.at(room).num_cells;
-        const bool has_region = 2 * count >= region_cells[region];
-        if (has_room) holder_of_room.emplace(room, region);
-        if (has_region && holder_of_region[region] == 0) holder_of_region[region] = room;
+        const bool has_region = 2 * count >= overlaps.region_cells[region];
+        if (has_room) heirs.emplace(room, region);
+        if (has_region && parents[region] == 0) parents[region] = room;
         if ((has_room || has_region) && room_of_region[region] == 0 &&
             region_of_room.emplace(room, region).second) {
             room_of_region[region] = room;
         }
     }
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    for (std::uint32_t region = 1; region <= cut.num_regions; ++region) {
+    for (std::uint32_t region = 1; region <= num_regions; ++region) {
         if (room_of_region[region] != 0) continue;
         room_of_region[region] = next_id_++;
-        const std::uint32_t parent = holder_of_region[region];
         const std::string area =
-            square_metres(static_cast<double>(region_cells[region]) * cell_m2);
-        update.events.push_back({parent == 0 ? RoomLife::born : RoomLife::split,
-                                 RoomId{room_of_region[region]}, RoomId{parent},
-                                 parent == 0 ? area + " seen for the first time"
-                                             : area + " behind a door"});
+            square_metres(static_cast<double>(overlaps.region_cells[region]) * cell_m2);
+        const bool is_born = parents[region] == 0;
+        update.events.push_back({is_born ? RoomLife::born : RoomLife::split,
+                                 RoomId{room_of_region[region]}, RoomId{parents[region]},
+                                 area + (is_born ? " seen for the first time" : " behind a door")});
     }
-    for (const std::uint32_t room : rooms_here) {
+    for (const auto& [room, cells] : overlaps.cells_inside) {
         if (region_of_room.count(room) != 0) continue;
-        const auto heir = holder_of_room.find(room);
-        const bool is_merged = heir != holder_of_room.end();
+        const auto heir = heirs.find(room);
+        // Of a room without an heir something may be left outside.
+        if (heir == heirs.end() && cells < rooms_.at(room).num_cells) continue;
         update.events.push_back(
-            {is_merged ? RoomLife::merged : RoomLife::retired, RoomId{room},
-             RoomId{is_merged ? room_of_region[heir->second] : 0},
-             is_merged ? "nothing like a door is between them" : "its floor is no longer free"});
+            heir != heirs.end()
+                ? LifeEvent{RoomLife::merged, RoomId{room}, RoomId{room_of_region[heir->second]},
+                            "nothing like a door is between them"}
+                : LifeEvent{RoomLife::retired, RoomId{room}, RoomId{},
+                            "its floor is no longer free"});
     }
     return room_of_region;
 }
@@ -230,16 +253,11 @@ void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
                             const std::vector<std::uint32_t>& room_of_region,
                             FollowUpdate& update) {
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    std::map<std::uint32_t, std::size_t> next_part;
-    std::set<std::pair<std::uint32_t, std::size_t>> renamed;
-    for (std::size_t k = 0; k < cut.kept.size(); ++k) {
-        const std::uint32_t room = cut.kept[k].room;
-        const std::size_t group = outside_.at(room).group_of_part[next_part[room]++];
-        const std::uint32_t now = room_of_region[cut.region_of_kept[k]];
-        if (now != room && now != 0 && renamed.insert({room, group}).second) {
-            rename_outside(window, room, group, now, update);
+    for_each_group(cut, [&](std::uint32_t room, std::size_t group, std::uint32_t region) {
+        if (room_of_region[region] != room) {
+            rename_outside(window, room, group, room_of_region[region], update);
         }
-    }
+    });
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const Cell cell = cut.regions.cell(i);
         const std::uint32_t now = room_of_region[cut.regions.values[i]];
@@ -278,33 +296,22 @@ void Follower::rename_outside(const LocalWindow& window, std::uint32_t room, std
     }
 }
 
-void Follower::update_rooms(const LocalWindow& window, const LocalCut& cut,
+void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
                             const std::vector<std::uint32_t>& room_of_region,
                             FollowUpdate& update) {
-    // What rooms have outside goes to their heirs.
     std::map<std::uint32_t, FollowedRoom> changed;
-    std::map<std::uint32_t, std::size_t> num_inside;
-    for (const std::uint32_t room : window.rooms.values) {
-        if (room != 0) ++num_inside[room];
+    for (const auto& [room, cells] : overlaps.cells_inside) {
+        changed[room] = rooms_.at(room);
+        changed[room].num_cells -= cells;
     }
-    for (const auto& [room, cells] : num_inside) {
-        const FollowedRoom& before = rooms_.at(room);
-        FollowedRoom& rest = changed[room];
-        rest = before;
-        rest.num_cells -= cells;
-    }
-    std::map<std::uint32_t, std::size_t> next_part;
-    std::set<std::pair<std::uint32_t, std::size_t>> moved;
-    for (std::size_t k = 0; k < cut.kept.size(); ++k) {
-        const std::uint32_t room = cut.kept[k].room;
-        const Outside& outside = outside_.at(room);
-        const std::size_t group = outside.group_of_part[next_part[room]++];
-        const std::uint32_t now = room_of_region[cut.region_of_kept[k]];
-        if (now == room || now == 0 || !moved.insert({room, group}).second) continue;
-        changed[room].num_cells -= outside.num_cells[group];
-        changed[now].num_cells += outside.num_cells[group];
+    // What rooms have outside goes to their heirs.
+    for_each_group(cut, [&](std::uint32_t room, std::size_t group, std::uint32_t region) {
+        const std::uint32_t now = room_of_region[region];
+        if (now == room) return;
+        changed[room].num_cells -= outside_.at(room).num_cells[group];
+        changed[now].num_cells += outside_.at(room).num_cells[group];
         changed[now].box.include(rooms_.at(room).box);
-    }
+    });
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const std::uint32_t region = cut.regions.values[i];
         if (region == 0) continue;

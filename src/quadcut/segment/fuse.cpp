@@ -20,7 +20,7 @@ constexpr double kNoDoor = -100.0;
 constexpr double kDoor = 100.0;
 /// So much more than even odds must be for a change.
 constexpr double kHysteresis = 0.0;
-/// By the ratio, openings of no width have the highest granularity's log-odds.
+/// By the ratio, openings of no width are kept at every granularity.
 constexpr double kLogOddsOfRatio = 8.0;
 
 }  // namespace
@@ -98,10 +98,33 @@ void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_wid
     }
 }
 
-void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels) {
-    for (std::uint32_t& label : labels.values) {
-        if (label != 0) label = regions.region_of(label);
+std::map<std::uint32_t, std::uint32_t> enclosing_regions(const RegionGraph& regions,
+                                                         std::span<const Enclosure> enclosures) {
+    std::map<std::uint32_t, std::uint32_t> host_of;
+    for (const Enclosure& enclosure : enclosures) {
+        const std::uint32_t pocket = regions.region_of(enclosure.pocket);
+        const std::uint32_t host = regions.region_of(enclosure.around.front());
+        const bool is_one =
+            std::all_of(enclosure.around.begin(), enclosure.around.end(),
+                        [&](std::uint32_t region) { return regions.region_of(region) == host; });
+        if (is_one && host != pocket && regions.area_m2(host) > 2.0 * regions.area_m2(pocket)) {
+            host_of.emplace(pocket, host);
+        }
     }
+    return host_of;
+}
+
+void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
+             std::span<const Enclosure> enclosures) {
+    std::vector<std::uint32_t> now(regions.num_pieces() + std::size_t{1}, 0);
+    for (std::uint32_t piece = 1; piece < now.size(); ++piece)
+        now[piece] = regions.region_of(piece);
+    const auto host_of = enclosing_regions(regions, enclosures);
+    for (std::uint32_t& region : now) {
+        const auto found = host_of.find(region);
+        if (found != host_of.end()) region = found->second;
+    }
+    for (std::uint32_t& label : labels.values) label = now[label];
 }
 
 }  // namespace quadcut

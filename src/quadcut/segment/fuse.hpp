@@ -3,14 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/region_graph.hpp"
+#include "quadcut/segment/regions.hpp"
 
 namespace quadcut {
 
@@ -68,7 +71,13 @@ private:
 /// saddle, smallest first. What has no neighbour stays.
 void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m);
 
-/// Each piece's cells get the number of its region.
-void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels);
+/// The regions that are no rooms of their own, and the region that each belongs to: of enclosures
+/// that one region is all around of, if that has twice the area.
+[[nodiscard]] std::map<std::uint32_t, std::uint32_t> enclosing_regions(
+    const RegionGraph& regions, std::span<const Enclosure> enclosures);
+
+/// Each piece's cells get the number of its region, or of the one that encloses it.
+void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
+             std::span<const Enclosure> enclosures = {});
 
 }  // namespace quadcut

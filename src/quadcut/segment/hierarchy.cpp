@@ -17,14 +17,17 @@ constexpr int kNumSteps = 10;
 
 /// The level at which the regions are now; regions are numbered in the order of their first one.
 HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint32_t>& finest,
-                        double granularity) {
+                        double granularity, std::span<const Enclosure> enclosures) {
+    const auto host_of = enclosing_regions(regions, enclosures);
     HierarchyLevel level;
     level.granularity = granularity;
     std::map<std::uint32_t, std::uint16_t> number;
-    for (const std::uint32_t region : finest) {
+    for (const std::uint32_t piece : finest) {
+        const std::uint32_t region = regions.region_of(piece);
+        const auto host = host_of.find(region);
         const auto next = static_cast<std::uint16_t>(number.size() + 1);
         level.region_of_finest.push_back(
-            number.try_emplace(regions.region_of(region), next).first->second);
+            number.try_emplace(host == host_of.end() ? region : host->second, next).first->second);
     }
     level.num_regions = static_cast<std::uint32_t>(number.size());
     return level;
@@ -33,7 +36,7 @@ HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint3
 }  // namespace
 
 Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                          const DoorRule& rule) {
+                          const DoorRule& rule, std::span<const Enclosure> enclosures) {
     std::vector<std::uint32_t> finest;
     std::vector<std::uint32_t> number(regions.num_pieces() + 1, 0);
     Hierarchy hierarchy;
@@ -55,7 +58,7 @@ Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regio
     for (int step = kNumSteps; step >= 0; --step) {
         const double granularity = static_cast<double>(step) / kNumSteps;
         fuser.fuse_below(fuse_threshold(granularity));
-        HierarchyLevel level = level_of(regions, finest, granularity);
+        HierarchyLevel level = level_of(regions, finest, granularity, enclosures);
         const bool is_new =
             hierarchy.levels.empty() || level.num_regions < hierarchy.levels.back().num_regions;
         if (is_new) hierarchy.levels.push_back(std::move(level));

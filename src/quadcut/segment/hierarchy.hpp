@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/fuse.hpp"
@@ -11,11 +12,12 @@
 
 namespace quadcut {
 
-/// The levels of granularity 0, 0.1 .. 1, from regions that are fused as far as the highest one
-/// fuses; `labels` holds their numbers, each cell's region. The graph is a copy to go on with.
-/// Positions are those of `labels`. Throws InputError when there are more than 65535 regions.
-/// O(cells, and what fusing costs).
+/// The levels of granularity 0, 0.1 .. 1, each with the highest one that has the same regions, from
+/// regions that are fused as far as the highest one fuses; `labels` holds their numbers, each
+/// cell's region. The graph is a copy to go on with. Positions are those of `labels`. Throws
+/// InputError when there are more than 65535 regions. O(cells, and what fusing costs).
 [[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                                        const DoorRule& rule);
+                                        const DoorRule& rule,
+                                        std::span<const Enclosure> enclosures = {});
 
 }  // namespace quadcut

@@ -28,21 +28,25 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.max_furniture", "m^2", 0.0, 100.0,
                       "isolated obstacles below this size do not count when widths are measured",
                       "", &rooms.max_furniture_m2});
-    fields.push_back({"rooms.furniture", "", 0, 0,
-                      "which of them: those that are no piece of a wall, those with room around, "
-                      "all",
-                      "", choice(rooms.furniture, {"off_wall", "reach", "size"})});
+    fields.push_back(
+        {"rooms.furniture", "", 0, 0,
+         "which of these are furniture: off_wall, no piece of a wall; reach, with 0.75 m "
+         "of room around; size, all",
+         "", choice(rooms.furniture, {"off_wall", "reach", "size"})});
     fields.push_back({"rooms.pieces", "", 0, 0,
                       "what is fused into rooms: basins of the clearance, spectral pieces snapped "
                       "to them, or spectral pieces as they are",
                       "", choice(rooms.pieces, {"basins", "spectral", "unsnapped"})});
-    fields.push_back({"rooms.max_eigenvalue", "1/m^2", 0.0, 100.0,
-                      "a piece of the over-cut is cut again while its second eigenvalue is smaller",
-                      "", &rooms.max_eigenvalue_per_m2});
-    fields.push_back({"rooms.laplacian", "", 0, 0, "normalisation of the over-cut's Laplacian", "",
+    fields.push_back(
+        {"rooms.max_eigenvalue", "1/m^2", 0.0, 100.0,
+         "spectral pieces are cut again while their second eigenvalue is smaller; without "
+         "unit (0 .. 2) unless the Laplacian is by area",
+         "", &rooms.max_eigenvalue_per_m2});
+    fields.push_back({"rooms.laplacian", "", 0, 0,
+                      "spectral pieces: normalisation of the Laplacian", "",
                       choice(rooms.laplacian, {"degree", "unweighted", "area"})});
     fields.push_back({"rooms.full_clearance", "m", 0.01, 100.0,
-                      "borders with less clearance than this weigh less in the over-cut", "",
+                      "spectral pieces: borders with less clearance than this weigh less", "",
                       &rooms.full_clearance_m});
     fields.push_back({"rooms.fuse", "", 0, 0,
                       "what tells a door from a bulge: the trained model, or the opening's width "

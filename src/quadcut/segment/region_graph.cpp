@@ -103,7 +103,8 @@ Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     return narrowing;
 }
 
-void RegionGraph::measure_all(const Executor& executor) {
+void RegionGraph::measure_all(double max_width_m, const Executor& executor,
+                              const std::optional<Box>& within) {
     struct Task {
         std::pair<std::uint32_t, std::uint32_t> pair;
         const Saddle* saddle = nullptr;
@@ -112,8 +113,10 @@ void RegionGraph::measure_all(const Executor& executor) {
     std::vector<Task> tasks;
     for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
         for (const auto& [other, saddle] : saddles_[region]) {
-            const bool is_known = measured_.count({region, other}) != 0;
-            if (region < other && !is_known) tasks.push_back({{region, other}, &saddle, {}});
+            if (other < region || measured_.count({region, other}) != 0) continue;
+            if (within && !within->contains(saddle.a)) continue;
+            if (2.0 * static_cast<double>(saddle.clearance_m) <= max_width_m)
+                tasks.push_back({{region, other}, &saddle, {}});
         }
     }
     parallel_for(executor, tasks.size(), kSaddlesPerChunk,

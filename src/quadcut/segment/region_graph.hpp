@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -49,8 +50,10 @@ public:
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
     [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
-    /// Measures what measure() would be asked for next, on all threads.
-    void measure_all(const Executor& executor);
+    /// Measures ahead what measure() will be asked for: all saddles up to a width, on all threads;
+    /// with `within`, only those there.
+    void measure_all(double max_width_m, const Executor& executor,
+                     const std::optional<Box>& within = std::nullopt);
     /// The same as measure() at another saddle between them, whose cell a lies in region a.
     [[nodiscard]] Narrowing measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
                                        NarrowingGauge& gauge) const;

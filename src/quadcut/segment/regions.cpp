@@ -185,46 +185,68 @@ Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint
     return pockets;
 }
 
-bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                   const Pockets& pockets) {
+namespace {
+
+/// Gives the outline's cells on the ways that lead to `room`, or all ways when that is 0.
+void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_t room,
+            std::uint32_t label) {
+    for (const auto& [reached, arrival] : walk.arrivals) {
+        if (room != 0 && reached != room) continue;
+        for (std::size_t cell = arrival; labels.values[cell] == 0;
+             cell = walk.reached_from.at(cell)) {
+            labels.values[cell] = label;
+        }
+    }
+}
+
+}  // namespace
+
+Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                       const Pockets& pockets) {
     std::vector<std::size_t> num_cells;
     for (const std::uint32_t label : labels.values) {
         if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
         ++num_cells[label];
     }
-    bool is_any_adopted = false;
+    Adoption adoption;
     for (const std::vector<std::size_t>& pocket : pockets.cells) {
         const std::uint32_t label = labels.values[pocket.front()];
         const bool is_room = label != 0;
-        // It is connected with a room through furniture, or has been adopted before.
+        // It is connected with a room through furniture.
         if (is_room && num_cells[label] > 2 * pocket.size()) continue;
         const bool is_small = pocket.size() <= pockets.max_cells;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
         const OutlineWalk walk = walk_through_outline(labels, free, pocket, pockets.outline_cells);
         const std::uint32_t room = most_frequent(walk.ways);
-        const double min_ways =
-            (is_small ? kMinShare : kMinShareAround) * static_cast<double>(walk.num_starts);
+        std::size_t num_ways = 0;
+        for (const auto& [reached, count] : walk.ways) num_ways += count;
+        const auto has_share = [&](std::size_t ways, double share) {
+            return static_cast<double>(ways) >= share * static_cast<double>(walk.num_starts);
+        };
         // Two small rooms beside each other are no pockets of each other.
         const bool is_adopted =
             room != 0 &&
             (!is_room || num_cells[room] > std::max(pockets.max_cells, 2 * pocket.size())) &&
             (is_small || walk.ways.size() == 1) &&
-            static_cast<double>(walk.ways.at(room)) >= min_ways;
+            has_share(walk.ways.at(room), is_small ? kMinShare : kMinShareAround);
         for (std::size_t i = 0; i < pocket.size(); ++i) {
             labels.values[pocket[i]] = is_adopted ? room : own[i];
         }
-        if (!is_adopted) continue;
-        is_any_adopted = true;
-        for (const auto& [reached, arrival] : walk.arrivals) {
-            if (reached != room) continue;
-            for (std::size_t cell = arrival; labels.values[cell] == 0;
-                 cell = walk.reached_from.at(cell)) {
-                labels.values[cell] = room;
+        if (is_adopted) {
+            adoption.is_any = true;
+            bridge(labels, walk, room, room);
+        } else if (is_room && walk.ways.size() > 1 && has_share(num_ways, kMinShareAround) &&
+                   std::count(own.begin(), own.end(), label) ==
+                       static_cast<std::ptrdiff_t>(own.size())) {
+            adoption.enclosures.push_back({label, {}});
+            for (const auto& [reached, count] : walk.ways) {
+                adoption.enclosures.back().around.push_back(reached);
             }
+            bridge(labels, walk, 0, label);
         }
     }
-    return is_any_adopted;
+    return adoption;
 }
 
 }  // namespace quadcut

@@ -36,13 +36,25 @@ struct Pockets {
                                    const Raster<std::uint8_t>& free, double resolution_m,
                                    double max_pocket_m2);
 
+/// A larger pocket, one region, with several regions around it: when these are one room it is no
+/// room of its own.
+struct Enclosure {
+    std::uint32_t pocket = 0;
+    std::vector<std::uint32_t> around;
+};
+
+struct Adoption {
+    bool is_any = false;
+    std::vector<Enclosure> enclosures;
+};
+
 /// Gives pockets to the room around them: the free inside of a cupboard, bin or table that is drawn
 /// as an outline. A small pocket is given when at least a quarter of its border lies behind an
 /// outline at most 0.1 m thick from one room, a larger one when three fifths do and no other room
-/// is behind the rest. The outline between goes to that room, too, so that it stays connected.
-/// Returns whether there was one. O(cells).
-bool adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                   const Pockets& pockets);
+/// is behind the rest. The outline between goes to that room, too, so that it stays connected; that
+/// of an enclosure goes to the pocket. O(cells).
+Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                       const Pockets& pockets);
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
 void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free);

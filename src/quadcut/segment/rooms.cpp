@@ -11,14 +11,6 @@ namespace {
 /// What is enclosed by an outline up to this size is the inside of furniture.
 constexpr double kMaxPocketM2 = 4.0;
 
-/// What is enclosed by furniture belongs to the room around it; rooms stay connected.
-void tidy_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                  const Pockets& pockets, const std::vector<bool>& goes_on) {
-    const bool is_any_adopted = adopt_pockets(labels, free, pockets);
-    drop_without_floor(labels, free);
-    if (is_any_adopted) connect_regions(labels, goes_on);
-}
-
 /// By region instead of by piece.
 std::vector<bool> by_region(const std::vector<bool>& goes_on, const RegionGraph& regions) {
     std::vector<bool> result(goes_on.size(), false);
@@ -35,6 +27,12 @@ Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOption
                                       RegionGraph& regions, Hierarchy* hierarchy) {
     const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio, window.decided,
                         window.earlier_room};
+    const auto measure_ahead = [&] {
+        if (rule.by == FuseRule::model) {
+            regions.measure_all(rule.max_width_m, executor, window.decided);
+        }
+    };
+    measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
     Raster<std::uint32_t> labels = input.pieces;
@@ -42,14 +40,18 @@ Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOption
     const std::vector<bool> goes_on = by_region(window.goes_on, regions);
     connect_regions(labels, goes_on);
     drop_impassable(labels, input.clearance_m, options.min_passable_m, goes_on);
-    const Pockets pockets = find_pockets(labels, input.free, input.resolution_m, kMaxPocketM2);
-    tidy_pockets(labels, input.free, pockets, goes_on);
-    if (hierarchy != nullptr) *hierarchy = build_hierarchy(labels, regions, rule);
-    regions.measure_all(executor);
+    // What is enclosed by furniture belongs to the room around it; rooms stay connected.
+    const Adoption adoption =
+        adopt_pockets(labels, input.free,
+                      find_pockets(labels, input.free, input.resolution_m, kMaxPocketM2));
+    drop_without_floor(labels, input.free);
+    if (adoption.is_any) connect_regions(labels, goes_on);
+    if (hierarchy != nullptr) {
+        *hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
+    }
+    measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(options.granularity));
-    relabel(regions, labels);
-    // A large table in a hall may have had several regions around it.
-    tidy_pockets(labels, input.free, pockets, by_region(window.goes_on, regions));
+    relabel(regions, labels, adoption.enclosures);
     return labels;
 }
 

@@ -29,7 +29,7 @@
 namespace quadcut {
 namespace {
 
-/// No robot fits through what is narrower.
+/// Narrower openings are gaps in the map.
 constexpr double kMinDoorM = 0.3;
 
 /// The quadtree's leaves, and which of them are free: the nodes of the graph.
@@ -124,7 +124,7 @@ Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>
     return painted;
 }
 
-/// The spectral over-cut, its borders moved to the narrowest lines.
+/// The spectral over-cut; its borders are moved to the narrowest lines unless they are to stay.
 Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
                        const SegmentOptions& options, StageClock& clock, const Executor& executor,
                        SegmentReport& report) {
@@ -180,7 +180,6 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
     clock.begin("graph");
     RegionGraph regions(pieces.labels, pieces.count, clearance, map.resolution_m);
-    regions.measure_all(executor);
     if (options.rooms.pieces == PieceSource::basins) {
         result.report.num_leaves = pieces.count;
         result.report.num_edges = regions.num_saddles();

@@ -205,6 +205,18 @@ TEST(Fuse, ToStopHalfwayChangesNothing) {
     }
 }
 
+TEST(RegionGraph, WhatIsMeasuredAheadIsTheSame) {
+    TwoRoomsInPieces ahead;
+    ahead.regions.measure_all(4.0, Executor{2});
+    TwoRoomsInPieces asked;
+    for (std::uint32_t a = 1; a <= asked.regions.num_pieces(); ++a) {
+        for (const auto& [b, saddle] : asked.regions.saddles(a)) {
+            EXPECT_EQ(door_log_odds(ahead.regions.measure(a, b)),
+                      door_log_odds(asked.regions.measure(a, b)));
+        }
+    }
+}
+
 TEST(RegionGraph, WhatAJoinDoesNotComeNearToIsTheSameAsMeasuredAnew) {
     TwoRoomsInPieces kept;
     TwoRoomsInPieces anew;
@@ -236,6 +248,38 @@ TEST(OpenSpace, ThePierBetweenTwoDoorsIsWall) {
     const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
     EXPECT_EQ(open.at({50, 50}), 0);
     EXPECT_EQ(open.at({50, 80}), 1);
+}
+
+TEST(OpenSpace, WhatAFlawCutsOffAWallIsWallAndALegBesideItIsNot) {
+    // A wall 0.1 m thick with a flaw of one cell, 0.6 m from its end; a leg stands as near to the
+    // end of another wall.
+    Raster<std::uint8_t> kept({0, 0}, 120, 100);
+    for (std::int32_t y = 2; y < 98; ++y) {
+        for (std::int32_t x = 2; x < 118; ++x) {
+            const bool is_wall = (y == 30 || y == 31) && x < 60 && x != 47;
+            const bool is_other = (y == 70 || y == 71) && x < 47;
+            const bool is_leg = (y == 70 || y == 71) && (x == 48 || x == 49);
+            if (!is_wall && !is_other && !is_leg) kept.at({x, y}) = 1;
+        }
+    }
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
+    EXPECT_EQ(open.at({52, 30}), 0) << "the end of the wall";
+    EXPECT_EQ(open.at({48, 70}), 1) << "the leg";
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::size).at({52, 30}), 1) << "by size alone";
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::reach).at({52, 30}), 0)
+        << "the rest of the wall is near";
+}
+
+TEST(OpenSpace, ByReachWhatStandsInANarrowPlaceIsWall) {
+    // A corridor of 1 m with a leg in its middle.
+    Raster<std::uint8_t> kept({0, 0}, 100, 24);
+    for (std::int32_t y = 2; y < 22; ++y) {
+        for (std::int32_t x = 2; x < 98; ++x) {
+            if (x < 50 || x > 51 || y < 11 || y > 12) kept.at({x, y}) = 1;
+        }
+    }
+    EXPECT_EQ(open_space(kept, 0.05, 0.3).at({50, 11}), 1);
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::reach).at({50, 11}), 0);
 }
 
 TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {

@@ -174,6 +174,64 @@ TEST(Segment, PaperDropsSubmapsThatTheTrajectoryDoesNotCross) {
     }
 }
 
+/// Sixteen offices, enough for every parallel loop to have several chunks.
+GridMap many_offices() {
+    const GridMap one = office();
+    GridMap map;
+    map.states = Raster<CellState>({0, 0}, 4 * one.states.width, 4 * one.states.height);
+    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
+        const Cell cell = map.states.cell(i);
+        map.states.values[i] =
+            one.states.at({cell.x % one.states.width, cell.y % one.states.height});
+    }
+    return map;
+}
+
+TEST(Segment, ThreadsDoNotChangeManyRooms) {
+    const GridMap map = many_offices();
+    SegmentOptions options;
+    options.with_hierarchy = true;
+    options.num_threads = 1;
+    const Segmentation one = segment(map, options);
+    EXPECT_EQ(one.rooms.size(), 16U * 7U);
+    options.num_threads = 4;
+    const Segmentation many = segment(map, options);
+    EXPECT_EQ(many.labels.values, one.labels.values);
+    EXPECT_EQ(many.hierarchy.finest.values, one.hierarchy.finest.values);
+    ASSERT_EQ(many.doors.size(), one.doors.size());
+    for (std::size_t i = 0; i < one.doors.size(); ++i) {
+        EXPECT_EQ(many.doors[i].confidence, one.doors[i].confidence);
+    }
+}
+
+TEST(Segment, AnOutlinedTableInAHallIsNoRoomAtTheGranularityOfTheHall) {
+    // 20 x 14 m with a table of 12 m^2, drawn as an outline, in the middle.
+    GridMap map;
+    map.states = Raster<CellState>({0, 0}, 420, 300, CellState::occupied);
+    for (std::int32_t y = 10; y < 290; ++y) {
+        for (std::int32_t x = 10; x < 410; ++x) map.states.at({x, y}) = CellState::free;
+    }
+    for (std::int32_t x = 170; x < 250; ++x) {
+        for (const std::int32_t y : {120, 180}) map.states.at({x, y}) = CellState::occupied;
+    }
+    for (std::int32_t y = 120; y <= 180; ++y) {
+        for (const std::int32_t x : {170, 250}) map.states.at({x, y}) = CellState::occupied;
+    }
+    SegmentOptions options;
+    options.with_hierarchy = true;
+    const Segmentation result = segment(map, options);
+    EXPECT_EQ(result.rooms.size(), 1U);
+    const std::uint16_t inside = result.hierarchy.finest.at({210, 150});
+    const std::uint16_t around = result.hierarchy.finest.at({50, 150});
+    ASSERT_NE(inside, 0);
+    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
+        ASSERT_EQ(result.hierarchy.finest.values[i] == 0, result.labels.values[i] == 0);
+    }
+    const HierarchyLevel& coarsest = result.hierarchy.levels.front();
+    EXPECT_EQ(coarsest.region_of_finest[inside - 1U], coarsest.region_of_finest[around - 1U]);
+    EXPECT_EQ(coarsest.num_regions, 1U);
+}
+
 TEST(Segment, ThreadsDoNotChangeAnything) {
     const GridMap map = office();
     for (const Preset which : {Preset::rooms, Preset::paper}) {
