@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,7 +27,6 @@ void compare(const Follower& follower, const std::vector<Point>& trajectory, con
     const Segmentation followed = follower.rooms();
     const io::RoomScore score = io::score_rooms(as_label_image(followed.labels),
                                                 as_label_image(batch.labels));
-    if (std::getenv("LIST")) for (const Room& r : followed.rooms) std::printf("%u:%.1f ", unsigned(r.id), r.area_m2);
     std::printf("  %s: PQ %.1f, ARI %.3f; %zu rooms followed, %zu in the batch (%.0f ms, %zu pieces)\n",
                 when, 100.0 * score.pq, score.ari, followed.rooms.size(), batch.rooms.size(),
                 ms.count(), batch.report.num_leaves);
