@@ -40,8 +40,8 @@ std::vector<OptionField> play_fields(PlayChoice& choice) {
     std::vector<OptionField> fields;
     fields.push_back({"every", "scans", 0, 1e9, "writes the results so often; 0: at the end", "",
                       &choice.every});
-    fields.push_back({"speed", "", 0.0, 1e6,
-                      "times as fast as the robot was; 0: as fast as it can", "", &choice.speed});
+    fields.push_back({"speed", "", 0.0, 1e6, "times as fast as the robot was; 0: as fast as it can",
+                      "", &choice.speed});
     return fields;
 }
 
@@ -84,7 +84,7 @@ std::vector<std::string> write(const std::filesystem::path& folder, const Follow
     io::write_map(folder, map);
     io::write_results(folder, map, rooms, info);
     io::write_file_atomically(folder / "updates.jsonl", updates);
-    return {"rooms_color.png", "rooms.svg", "rooms.png",   "rooms.yaml", "rooms.geojson",
+    return {"rooms_color.png", "rooms.svg",   "rooms.png", "rooms.yaml", "rooms.geojson",
             "graph.json",      "report.json", "map.pgm",   "map.yaml",   "updates.jsonl"};
 }
 

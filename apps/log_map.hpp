@@ -34,13 +34,14 @@ struct PosedLog {
     std::uint64_t content_hash = 0;
 };
 
-/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). The stage
-/// is `read`. Throws InputError.
+/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). The
+/// stage is `read`. Throws InputError.
 [[nodiscard]] PosedLog read_posed_log(const std::filesystem::path& log,
                                       const std::optional<std::filesystem::path>& poses,
                                       StageClock& clock);
 
-/// Reads a log as read_posed_log() does and maps it. The stages are `read` and `map`. Throws InputError.
+/// Reads a log as read_posed_log() does and maps it. The stages are `read` and `map`. Throws
+/// InputError.
 [[nodiscard]] LogMap map_log(const std::filesystem::path& log,
                              const std::optional<std::filesystem::path>& poses, double resolution_m,
                              StageClock& clock, Progress& progress);

@@ -25,11 +25,12 @@ void compare(const Follower& follower, const std::vector<Point>& trajectory, con
     const Segmentation batch = segment(map, options, trajectory);
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     const Segmentation followed = follower.rooms();
-    const io::RoomScore score = io::score_rooms(as_label_image(followed.labels),
-                                                as_label_image(batch.labels));
-    std::printf("  %s: PQ %.1f, ARI %.3f; %zu rooms followed, %zu in the batch (%.0f ms, %zu pieces)\n",
-                when, 100.0 * score.pq, score.ari, followed.rooms.size(), batch.rooms.size(),
-                ms.count(), batch.report.num_leaves);
+    const io::RoomScore score =
+        io::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
+    std::printf(
+        "  %s: PQ %.1f, ARI %.3f; %zu rooms followed, %zu in the batch (%.0f ms, %zu pieces)\n",
+        when, 100.0 * score.pq, score.ari, followed.rooms.size(), batch.rooms.size(), ms.count(),
+        batch.report.num_leaves);
     std::fflush(stdout);
 }
 
@@ -66,10 +67,11 @@ void follow(const std::filesystem::path& log) {
     for (const double ms : segment_ms) sum_ms += ms;
     std::sort(segment_ms.begin(), segment_ms.end());
     std::sort(relabelled.begin(), relabelled.end());
-    std::printf("  integrate %.0f ms, segment %.0f ms in %zu updates (median %.1f, 99 %% %.1f), "
-                "largest graph %zu, median relabelled %.2f m2, %zu events\n",
-                integrate_ms, sum_ms, segment_ms.size(), quantile(segment_ms, 0.5),
-                quantile(segment_ms, 0.99), largest, quantile(relabelled, 0.5), num_events);
+    std::printf(
+        "  integrate %.0f ms, segment %.0f ms in %zu updates (median %.1f, 99 %% %.1f), "
+        "largest graph %zu, median relabelled %.2f m2, %zu events\n",
+        integrate_ms, sum_ms, segment_ms.size(), quantile(segment_ms, 0.5),
+        quantile(segment_ms, 0.99), largest, quantile(relabelled, 0.5), num_events);
 }
 
 int run(int argc, char** argv) {

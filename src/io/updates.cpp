@@ -9,11 +9,16 @@ namespace {
 
 const char* name_of(RoomLife life) {
     switch (life) {
-        case RoomLife::born: return "born";
-        case RoomLife::grown: return "grown";
-        case RoomLife::split: return "split";
-        case RoomLife::merged: return "merged";
-        case RoomLife::retired: return "retired";
+        case RoomLife::born:
+            return "born";
+        case RoomLife::grown:
+            return "grown";
+        case RoomLife::split:
+            return "split";
+        case RoomLife::merged:
+            return "merged";
+        case RoomLife::retired:
+            return "retired";
     }
     return "";
 }

@@ -16,9 +16,9 @@ using Json = nlohmann::json;
 
 TEST(FollowCommand, WritesALineAScanAndTheResultsOfSegment) {
     const Folder folder;
-    ASSERT_EQ(run_quadcut({"simulate", "-o", folder / "sim", "--seed", "2", "--rooms", "6"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        run_quadcut({"simulate", "-o", folder / "sim", "--seed", "2", "--rooms", "6"}).exit_code,
+        0);
     const Outcome outcome =
         run_quadcut({"follow", folder / "sim/robot.log", "-o", folder / "out", "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -26,8 +26,7 @@ TEST(FollowCommand, WritesALineAScanAndTheResultsOfSegment) {
     for (const auto& [name, bytes] : files_below(folder / "out")) names.push_back(name);
     EXPECT_EQ(names, (std::vector<std::string>{"graph.json", "map.pgm", "map.yaml", "report.json",
                                                "rooms.geojson", "rooms.png", "rooms.svg",
-                                               "rooms.yaml", "rooms_color.png",
-                                               "updates.jsonl"}));
+                                               "rooms.yaml", "rooms_color.png", "updates.jsonl"}));
     std::istringstream lines(read_bytes(folder / "out/updates.jsonl"));
     std::size_t num_lines = 0;
     Json last;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-
 namespace quadcut {
 namespace {
 
@@ -25,8 +24,8 @@ template <typename T>
 void enlarge(Raster<T>& raster, const Box& box) {
     Raster<T> larger(box);
     for (std::int32_t y = 0; y < raster.height; ++y) {
-        const auto from = raster.values.begin() +
-                          static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(raster.width);
+        const auto from = raster.values.begin() + static_cast<std::ptrdiff_t>(y) *
+                                                      static_cast<std::ptrdiff_t>(raster.width);
         const Cell to{raster.origin.x, raster.origin.y + y};
         std::copy(from, from + raster.width,
                   larger.values.begin() + static_cast<std::ptrdiff_t>(larger.offset(to)));
@@ -38,8 +37,8 @@ void enlarge(Raster<T>& raster, const Box& box) {
 std::vector<std::pair<Box, std::size_t>> patches(
     const std::map<std::pair<std::int32_t, std::int32_t>, std::size_t>& tiles,
     double resolution_m) {
-    const auto block_tiles = static_cast<std::int32_t>(
-        std::max(1.0, std::ceil(kPatchM / (resolution_m * kTileSide))));
+    const auto block_tiles =
+        static_cast<std::int32_t>(std::max(1.0, std::ceil(kPatchM / (resolution_m * kTileSide))));
     const auto block_of = [&](std::int32_t tile) {
         return static_cast<std::int32_t>(std::floor(static_cast<double>(tile) / block_tiles));
     };
@@ -75,8 +74,7 @@ std::vector<std::pair<Box, std::size_t>> patches(
 
 }  // namespace
 
-Follower::Follower(const FollowOptions& options)
-    : options_(options), map_(options.resolution_m) {}
+Follower::Follower(const FollowOptions& options) : options_(options), map_(options.resolution_m) {}
 
 FollowUpdate Follower::add_scan(const Scan& scan) {
     FollowUpdate update;
@@ -131,10 +129,9 @@ FollowUpdate Follower::finish() {
 
 bool Follower::refine() {
     if (rooms_.empty()) return false;
-    const auto oldest = std::min_element(rooms_.begin(), rooms_.end(), [](const auto& p,
-                                                                          const auto& q) {
-        return p.second.refined_at < q.second.refined_at;
-    });
+    const auto oldest = std::min_element(
+        rooms_.begin(), rooms_.end(),
+        [](const auto& p, const auto& q) { return p.second.refined_at < q.second.refined_at; });
     oldest->second.refined_at = ++num_cuts_;
     FollowUpdate update;
     cut_window(oldest->second.box, update);

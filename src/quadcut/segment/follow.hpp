@@ -67,7 +67,8 @@ public:
     /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
     /// scan that cannot be used; the state is then unchanged.
     FollowUpdate add_scan(const Scan& scan);
-    /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of map().
+    /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of
+    /// map().
     FollowUpdate update_cells(const Raster<CellState>& patch);
     /// Cuts around all that has changed, however little.
     FollowUpdate finish();

@@ -128,8 +128,7 @@ Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint3
                 for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
                                         Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}}) {
                     if (!is_way(next) || outside.groups.at(next) != 0) continue;
-                    outside.groups.at(next) =
-                        static_cast<std::uint32_t>(outside.num_cells.size());
+                    outside.groups.at(next) = static_cast<std::uint32_t>(outside.num_cells.size());
                     waiting.push_back(next);
                 }
             }
@@ -145,13 +144,14 @@ std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t 
     std::set<std::uint32_t> neighbours;
     for (const LocalOpening& opening : openings_) {
         if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
-        for (const auto& [own, far] : {std::pair{opening.a, opening.b},
-                                       std::pair{opening.b, opening.a}}) {
+        for (const auto& [own, far] :
+             {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
             if (room_at(own) != room || room_at(far) == room || room_at(far) == 0) continue;
             if (!outside.groups.values.empty() && outside.groups.at(own) != group + 1) continue;
             const auto other = rooms_.find(room_at(far));
             if (other == rooms_.end()) continue;
-            const bool is_place = static_cast<double>(other->second.num_cells) * cell_m2 >= kPlaceM2;
+            const bool is_place =
+                static_cast<double>(other->second.num_cells) * cell_m2 >= kPlaceM2;
             if (is_place) neighbours.insert(other->first);
         }
     }
@@ -187,8 +187,9 @@ Follower::Overlaps Follower::find_overlaps(const LocalWindow& window, const Loca
     for (const auto& [pair, cells] : overlaps.shared) {
         if (pair.second != 0) overlaps.cells_inside[pair.second] += cells;
     }
-    std::erase_if(overlaps.shared,
-                  [](const auto& entry) { return entry.first.first == 0 || entry.first.second == 0; });
+    std::erase_if(overlaps.shared, [](const auto& entry) {
+        return entry.first.first == 0 || entry.first.second == 0;
+    });
     for_each_group(cut, [&](std::uint32_t room, std::size_t group, std::uint32_t region) {
         const std::size_t cells = outside_.at(room).num_cells[group];
         overlaps.region_cells[region] += cells;
@@ -199,8 +200,7 @@ Follower::Overlaps Follower::find_overlaps(const LocalWindow& window, const Loca
 
 /// Ids by what regions and rooms share, the largest first (see track()).
 std::vector<std::uint32_t> Follower::name_regions(const Overlaps& overlaps,
-                                                  std::uint32_t num_regions,
-                                                  FollowUpdate& update) {
+                                                  std::uint32_t num_regions, FollowUpdate& update) {
     std::vector<std::array<std::size_t, 3>> largest_first;
     for (const auto& [pair, count] : overlaps.shared) {
         largest_first.push_back({count, pair.first, pair.second});
@@ -239,12 +239,12 @@ std::vector<std::uint32_t> Follower::name_regions(const Overlaps& overlaps,
         const auto heir = heirs.find(room);
         // Of a room without an heir something may be left outside.
         if (heir == heirs.end() && cells < rooms_.at(room).num_cells) continue;
-        update.events.push_back(
-            heir != heirs.end()
-                ? LifeEvent{RoomLife::merged, RoomId{room}, RoomId{room_of_region[heir->second]},
-                            "nothing like a door is between them"}
-                : LifeEvent{RoomLife::retired, RoomId{room}, RoomId{},
-                            "its floor is no longer free"});
+        update.events.push_back(heir != heirs.end()
+                                    ? LifeEvent{RoomLife::merged, RoomId{room},
+                                                RoomId{room_of_region[heir->second]},
+                                                "nothing like a door is between them"}
+                                    : LifeEvent{RoomLife::retired, RoomId{room}, RoomId{},
+                                                "its floor is no longer free"});
     }
     return room_of_region;
 }
@@ -332,9 +332,9 @@ void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
         const double area_m2 = static_cast<double>(room.num_cells) * cell_m2;
         if (room.announced_m2 == 0.0) room.announced_m2 = area_m2;
         if (area_m2 > kGrownShare * room.announced_m2 + kGrownM2) {
-            update.events.push_back({RoomLife::grown, RoomId{id}, RoomId{},
-                                     "from " + square_metres(room.announced_m2) + " to " +
-                                         square_metres(area_m2)});
+            update.events.push_back(
+                {RoomLife::grown, RoomId{id}, RoomId{},
+                 "from " + square_metres(room.announced_m2) + " to " + square_metres(area_m2)});
             room.announced_m2 = area_m2;
         }
         rooms_[id] = room;

@@ -119,7 +119,7 @@ LocalPieces divide(const LocalWindow& window, const Basins& basins) {
 /// beyond the window, and pieces that meet outside of `decided`. Returns which pieces go on beyond
 /// the window.
 std::vector<bool> join_what_was_one(const LocalWindow& window, const LocalPieces& pieces,
-                       const AskBeyond& ask_beyond, RegionGraph& regions) {
+                                    const AskBeyond& ask_beyond, RegionGraph& regions) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of_room;
     for (std::uint32_t k = 0; k < pieces.kept.size(); ++k) {
         parts_of_room[pieces.kept[k].room].push_back(k);
@@ -170,8 +170,8 @@ LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
                      const AskBeyond& beyond, const Executor& executor) {
     const double resolution_m = window.resolution_m;
     const Raster<std::uint8_t> kept = cells_to_cut(window, options.rooms.min_component_m2);
-    const Raster<std::uint8_t> open = open_space(
-        kept, resolution_m, options.rooms.max_furniture_m2, options.rooms.furniture, executor);
+    const Raster<std::uint8_t> open = open_space(kept, resolution_m, options.rooms.max_furniture_m2,
+                                                 options.rooms.furniture, executor);
     const Raster<float> clearance = clearance_m(open, resolution_m, executor);
     LocalPieces pieces = divide(window, build_basins(clearance, resolution_m, executor));
     RegionGraph regions(pieces.labels, pieces.count(), clearance, resolution_m);

@@ -141,11 +141,13 @@ void RegionGraph::describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowin
     const auto fill = [&](std::uint32_t region, SideOfSaddle& side) {
         side.region_area_m2 = extent_[region].area_m2;
         side.region_peak_m = extent_[region].peak_m;
-        side.num_openings = extent_[region].num_openings + static_cast<std::size_t>(
-            std::count_if(saddles_[region].begin(), saddles_[region].end(), [&](const auto& entry) {
-                return entry.second.clearance_m > kFitsM &&
-                       extent_[entry.first].area_m2 >= kPlaceM2;
-            }));
+        side.num_openings =
+            extent_[region].num_openings +
+            static_cast<std::size_t>(std::count_if(
+                saddles_[region].begin(), saddles_[region].end(), [&](const auto& entry) {
+                    return entry.second.clearance_m > kFitsM &&
+                           extent_[entry.first].area_m2 >= kPlaceM2;
+                }));
     };
     fill(narrowing.is_a_narrower ? a : b, narrowing.narrower);
     fill(narrowing.is_a_narrower ? b : a, narrowing.wider);

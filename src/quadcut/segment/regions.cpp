@@ -177,9 +177,8 @@ Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
     for (auto& cells : parts.cells_of(is_pocket)) {
         // What leaves the raster is part of something larger.
-        const bool is_whole =
-            std::none_of(cells.begin(), cells.end(),
-                         [&](std::size_t cell) { return is_on_edge(labels, cell); });
+        const bool is_whole = std::none_of(
+            cells.begin(), cells.end(), [&](std::size_t cell) { return is_on_edge(labels, cell); });
         if (!cells.empty() && is_whole) pockets.cells.push_back(std::move(cells));
     }
     return pockets;

@@ -41,9 +41,8 @@ Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOption
     connect_regions(labels, goes_on);
     drop_impassable(labels, input.clearance_m, options.min_passable_m, goes_on);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
-    const Adoption adoption =
-        adopt_pockets(labels, input.free,
-                      find_pockets(labels, input.free, input.resolution_m, kMaxPocketM2));
+    const Adoption adoption = adopt_pockets(
+        labels, input.free, find_pockets(labels, input.free, input.resolution_m, kMaxPocketM2));
     drop_without_floor(labels, input.free);
     if (adoption.is_any) connect_regions(labels, goes_on);
     if (hierarchy != nullptr) {

@@ -37,8 +37,8 @@ struct Window {
 
 /// Fuses pieces unless a door is between them: first as far as at the highest granularity, of whose
 /// regions all rooms are unions; there, small regions, slivers and pockets find their room. Labels
-/// come out with regions of any number, the numbers of `regions`. With `hierarchy`: all levels, too.
-/// O(cells + 5 m around each saddle, as often as what lies there changes).
+/// come out with regions of any number, the numbers of `regions`. With `hierarchy`: all levels,
+/// too. O(cells + 5 m around each saddle, as often as what lies there changes).
 [[nodiscard]] Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input,
                                                     const RoomsOptions& options,
                                                     const Window& window, const Executor& executor,
