@@ -76,6 +76,28 @@ private:
     double start_s_ = 0.0;
 };
 
+/// Scans that cannot be used are left out and counted: a robot's log goes on.
+class RefusedScans {
+public:
+    /// The line of updates.jsonl; nothing for a scan that is left out.
+    std::string add(const Scan& scan, Follower& follower) {
+        try {
+            return io::to_json_line(follower.add_scan(scan));
+        } catch (const InputError& error) {
+            if (count_++ == 0) first_ = error.what();
+            return {};
+        }
+    }
+    void warn(std::vector<std::string>& warnings) const {
+        if (count_ == 0) return;
+        warnings.push_back(std::to_string(count_) + " scans are left out; the first: " + first_);
+    }
+
+private:
+    std::size_t count_ = 0;
+    std::string first_;
+};
+
 std::vector<std::string> write(const std::filesystem::path& folder, const Follower& follower,
                                const Segmentation& rooms, const std::string& updates,
                                const io::RunInfo& info) {
@@ -113,9 +135,10 @@ void run(const Arguments& arguments) {
     Follower follower(options);
     Pace pace(play.speed);
     std::string updates;
+    RefusedScans refused;
     for (std::size_t i = 0; i < log.scans.size(); ++i) {
         pace.wait_for(log.scans[i], follower);
-        updates += io::to_json_line(follower.add_scan(log.scans[i]));
+        updates += refused.add(log.scans[i], follower);
         progress.update(i + 1, log.scans.size());
         if (play.every != 0 && (i + 1) % play.every == 0 && follower.num_rooms() > 0) {
             write(folder, follower, follower.rooms(), updates, info);
@@ -131,6 +154,7 @@ void run(const Arguments& arguments) {
     rooms.report.num_leaves = follower.map().num_leaves();
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings = log.warnings;
+    refused.warn(rooms.report.warnings);
     progress.begin("write");
     const std::vector<std::string> files = write(folder, follower, rooms, updates, info);
     progress.wipe();

@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "quadcut/base/error.hpp"
 
 namespace quadcut {
 namespace {
 
 /// Changes within about this of each other are cut together.
 constexpr double kPatchM = 4.0;
+/// Of the labels' raster: 820 m a side at 5 cm, five bytes each.
+constexpr double kMaxCells = 268435456.0;
 /// The labels' raster grows by at least this at a time, cells.
 constexpr std::int32_t kSlackCells = 256;
 
@@ -79,6 +84,10 @@ Follower::Follower(const FollowOptions& options) : options_(options), map_(optio
 FollowUpdate Follower::add_scan(const Scan& scan) {
     FollowUpdate update;
     const auto start = std::chrono::steady_clock::now();
+    const Cell at = map_.cell_at({scan.world_from_sensor.x, scan.world_from_sensor.y});
+    const double reach = std::min(options_.integrate.usable_range_m / options_.resolution_m, 1e4);
+    const auto cells = static_cast<std::int32_t>(std::ceil(reach));
+    require_room_for({{at.x - cells, at.y - cells}, {at.x + cells, at.y + cells}});
     const MapUpdate change = integrate_scan(map_, scan, options_.integrate);
     update.integrate_ms = ms_since(start);
     update.scan = num_scans_++;
@@ -102,6 +111,7 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
 FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
     FollowUpdate update;
     const auto start = std::chrono::steady_clock::now();
+    if (!patch.values.empty()) require_room_for(patch.box());
     if (!patch.values.empty()) map_.reserve(patch.box().low, patch.box().high);
     for (std::size_t i = 0; i < patch.values.size(); ++i) {
         map_.set_state(patch.cell(i), patch.values[i]);
@@ -175,6 +185,15 @@ void Follower::note_changes(const MapUpdate& update) {
         changed_tiles_[{x, y}] = count;
         num_changed_ += count;
     }
+}
+
+void Follower::require_room_for(Box cells) const {
+    if (!labels_.values.empty()) cells.include(labels_.box());
+    const double num_cells = static_cast<double>(cells.width()) * cells.height();
+    if (num_cells <= kMaxCells) return;
+    throw InputError("the followed map would span " + std::to_string(cells.width()) + " x " +
+                     std::to_string(cells.height()) + " cells: expected at most " +
+                     std::to_string(static_cast<long>(kMaxCells)) + "; is a pose wrong?");
 }
 
 void Follower::make_room_for(const Box& cells) {

@@ -65,7 +65,8 @@ public:
     explicit Follower(const FollowOptions& options = {});
 
     /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
-    /// scan that cannot be used; the state is then unchanged.
+    /// scan that cannot be used, or so far away that the map would have more than 2^28 cells; the
+    /// state is then unchanged. O(cells in sight + cells within 25 m of what has changed).
     FollowUpdate add_scan(const Scan& scan);
     /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of
     /// map().
@@ -130,6 +131,8 @@ private:
                         std::uint32_t now, FollowUpdate& update);
     void update_rooms(const LocalCut& cut, const Overlaps& overlaps,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
+    /// Throws InputError when the labels would not fit.
+    void require_room_for(Box cells) const;
     void make_room_for(const Box& cells);
     [[nodiscard]] std::uint32_t room_at(Cell cell) const {
         return labels_.contains(cell) ? labels_.at(cell) : 0;

@@ -107,7 +107,10 @@ Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint3
     if (parts.size() == 1) return {{0}, {known.num_cells - num_inside}, {}};
     // Several parts: a walk through the room, around what is cut anew, tells which are connected.
     Outside outside;
-    outside.groups = Raster<std::uint32_t>(known.box);
+    Box box = known.box;
+    // Furniture that was no room yet may stand for a part.
+    for (const Cell part : parts) box.include({part, part});
+    outside.groups = Raster<std::uint32_t>(box);
     const auto is_way = [&](Cell cell) {
         if (!known.box.contains(cell) || room_at(cell) != room) return false;
         if (!pieces.contains(cell)) return true;

@@ -104,6 +104,10 @@ TEST(Follower, AScanThatCannotBeUsedChangesNothing) {
     broken = scans[10];
     broken.world_from_sensor.yaw_rad = std::numeric_limits<double>::infinity();
     EXPECT_THROW(follower.add_scan(broken), InputError);
+    broken = scans[10];
+    broken.world_from_sensor.x += 1500.0;
+    broken.world_from_sensor.y += 1500.0;
+    EXPECT_THROW(follower.add_scan(broken), InputError) << "a jump out of all bounds";
     EXPECT_EQ(follower.num_scans(), 10U);
     EXPECT_EQ(follower.rooms().labels.values, before.labels.values);
     Scan empty = scans[10];
