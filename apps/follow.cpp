@@ -90,7 +90,7 @@ public:
     }
     void warn(std::vector<std::string>& warnings) const {
         if (count_ == 0) return;
-        warnings.push_back(std::to_string(count_) + " scans are left out; the first: " + first_);
+        warnings.push_back("scans left out: " + std::to_string(count_) + "; the first: " + first_);
     }
 
 private:

@@ -18,8 +18,6 @@ constexpr double kLogOddsOfGranularity = 12.0;
 constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
 constexpr double kDoor = 100.0;
-/// So much more than even odds must be for a change.
-constexpr double kHysteresis = 0.0;
 /// By the ratio, openings of no width are kept at every granularity.
 constexpr double kLogOddsOfRatio = 8.0;
 
@@ -48,17 +46,9 @@ double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     if (rule_.decided && !rule_.decided->contains(saddle.a)) return kDoor;
     const auto half_width_m = static_cast<double>(saddle.clearance_m);
     if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
-    const double bias = rule_.earlier_room.empty() ? 0.0 : bias_of(saddle);
-    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b)) + bias;
+    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));
     const double ratio = half_width_m / std::min(regions_.peak_m(a), regions_.peak_m(b));
-    return kDefaultLogOdds + kLogOddsOfRatio * (rule_.min_ratio - ratio) + bias;
-}
-
-double Fuser::bias_of(const Saddle& saddle) const {
-    const std::uint32_t room_a = rule_.earlier_room[regions_.piece_at(saddle.a)];
-    const std::uint32_t room_b = rule_.earlier_room[regions_.piece_at(saddle.b)];
-    if (room_a == 0 || room_b == 0) return 0.0;
-    return room_a == room_b ? -kHysteresis : kHysteresis;
+    return kDefaultLogOdds + kLogOddsOfRatio * (rule_.min_ratio - ratio);
 }
 
 void Fuser::fuse_below(double min_log_odds) {

@@ -29,8 +29,6 @@ struct DoorRule {
     double min_ratio = 0.75;
     /// Cuts with their saddle outside are kept.
     std::optional<Box> decided = std::nullopt;
-    /// The room that each piece was in before, 0 = none; empty when there was none.
-    std::vector<std::uint32_t> earlier_room = {};
 };
 
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
@@ -59,8 +57,6 @@ private:
 
     void push(std::uint32_t a, std::uint32_t b);
     [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
-    /// In favour of what there was before.
-    [[nodiscard]] double bias_of(const Saddle& saddle) const;
 
     RegionGraph& regions_;
     DoorRule rule_;

@@ -177,9 +177,7 @@ LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
     RegionGraph regions(pieces.labels, pieces.count(), clearance, resolution_m);
     LocalCut cut;
     cut.num_nodes = pieces.count();
-    cut.num_edges = regions.num_saddles();
-    const Window limits{window.decided, join_what_was_one(window, pieces, beyond, regions),
-                        pieces.earlier_room};
+    const Window limits{window.decided, join_what_was_one(window, pieces, beyond, regions)};
     Raster<std::uint8_t> free(kept.origin, kept.width, kept.height);
     for (std::size_t i = 0; i < free.values.size(); ++i) {
         free.values[i] = window.states.values[i] == CellState::free ? 1 : 0;

@@ -59,7 +59,6 @@ struct LocalCut {
     /// Those within `decided`.
     std::vector<LocalOpening> openings;
     std::size_t num_nodes = 0;
-    std::size_t num_edges = 0;
 };
 
 /// Which of the kept parts of one room are connected outside of the window: the number of each

@@ -37,7 +37,6 @@ public:
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
     [[nodiscard]] double peak_m(std::uint32_t region) const { return extent_[region].peak_m; }
-    [[nodiscard]] std::uint32_t piece_at(Cell cell) const { return pieces_.at(cell); }
     /// How often the region has been joined with another.
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
 

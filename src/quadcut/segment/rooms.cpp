@@ -25,8 +25,7 @@ std::vector<bool> by_region(const std::vector<bool>& goes_on, const RegionGraph&
 Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOptions& options,
                                       const Window& window, const Executor& executor,
                                       RegionGraph& regions, Hierarchy* hierarchy) {
-    const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio, window.decided,
-                        window.earlier_room};
+    const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio, window.decided};
     const auto measure_ahead = [&] {
         if (rule.by == FuseRule::model) {
             regions.measure_all(rule.max_width_m, executor, window.decided);

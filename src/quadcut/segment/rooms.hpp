@@ -30,9 +30,6 @@ struct Window {
     std::optional<Box> decided;
     /// Pieces that stand for rooms which go on beyond the window; by piece, nothing = none do.
     std::vector<bool> goes_on;
-    /// The room that each piece was in, 0 = none; nothing = no piece was in any. A cut that there
-    /// is, and one that there is not, stay so when the odds are nearly even.
-    std::vector<std::uint32_t> earlier_room;
 };
 
 /// Fuses pieces unless a door is between them: first as far as at the highest granularity, of whose
