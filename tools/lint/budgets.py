@@ -8,7 +8,7 @@ from source import Tree
 
 # The door model's trees are data that tools/train/door_model.py writes, not code.
 CORE_DATA = "src/quadcut/segment/door_trees.cpp"
-MAX_CORE_LINES = 8260
+MAX_CORE_LINES = 8235
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
 
@@ -24,7 +24,7 @@ def check(tree: Tree) -> list[str]:
     if core > MAX_CORE_LINES:
         problems.append(f"src/quadcut: {core} lines of code; the budget is {MAX_CORE_LINES}")
     for file in tree.sources("src", "apps"):
-        if len(file.lines) > MAX_FILE_LINES and file.path != CORE_DATA:
+        if len(file.lines) > MAX_FILE_LINES:
             problems.append(f"{file.path}:1: {len(file.lines)} lines; "
                             f"a file has at most {MAX_FILE_LINES}")
         for function in file.functions():

@@ -12,7 +12,6 @@ Needs python3-sklearn. The same samples give the same trees.
 
 import argparse
 import csv
-import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -69,7 +68,18 @@ def train(names, groups, weights, is_cut, cues):
 
 def number(value):
     text = f"{value:.5g}"
-    return text + ("F" if "." in text or "e" in text else ".0F")
+    text = text if "." in text or "e" in text else text + "."
+    return text.replace("0.", ".", 1) + "F" if abs(value) < 1 and value != 0 else text + "F"
+
+
+def dense(text):
+    """Lines of at most 100 characters that end with commas."""
+    lines = [""]
+    for part in text.split(","):
+        if len(lines[-1]) + len(part) + 1 > 100:
+            lines.append("")
+        lines[-1] += part + ","
+    return "\n".join(lines)[:-1]
 
 
 def tree_text(nodes):
@@ -84,13 +94,12 @@ def tree_text(nodes):
         text = target(i)
         return "0" if text == "-0" else text
 
-    b = ["{%d, %s, %s, %s}" % (nodes[i]["feature_idx"], number(nodes[i]["num_threshold"]),
+    b = ["{%d,%s,%s,%s}" % (nodes[i]["feature_idx"], number(nodes[i]["num_threshold"]),
                                   end(nodes[i]["left"]), end(nodes[i]["right"])) for i in branches]
     v = [number(nodes[i]["value"] / NUM_FORESTS) for i in leaves]
-    b += ["{0, 0.0F, 0, 0}"] * (NUM_LEAVES - 1 - len(b))
-    v += ["0.0F"] * (NUM_LEAVES - len(v))
-    lines = textwrap.wrap("{{{" + ", ".join(b) + "}},", 98) + ["{" + ", ".join(v) + "}}"]
-    return "\n ".join(lines)
+    b += ["{0,0.F,0,0}"] * (NUM_LEAVES - 1 - len(b))
+    v += ["0.F"] * (NUM_LEAVES - len(v))
+    return "{{{" + ",".join(b) + "}},{" + ",".join(v) + "}}"
 
 
 def main():
@@ -106,7 +115,7 @@ def main():
     bias = float(np.mean([model._baseline_prediction.ravel()[0] for model in forests]))
     text = HEAD + f"const double kDoorBias = {bias:.6g};\n\n// clang-format off\n"
     text += f"const std::array<DoorTree, {len(trees)}> kDoorTrees{{{{\n"
-    text += ",\n".join(trees) + "}};\n// clang-format on\n\n}  // namespace quadcut\n"
+    text += dense(",".join(trees)) + "}};\n// clang-format on\n\n}  // namespace quadcut\n"
     Path(arguments.output).write_text(text)
     print(f"{chosen.sum()} decisions, {len(trees)} trees: {arguments.output}")
 
