@@ -41,6 +41,13 @@ bool is_value(const CommandForm& form, const std::string& word) {
     return word.rfind("--", 0) != 0 && find_flag(form, word) == nullptr;
 }
 
+/// A dash before something that is no number.
+bool is_flag(const CommandForm& form, const std::string& word) {
+    if (word.size() < 2 || word[0] != '-') return false;
+    const bool is_number = (word[1] >= '0' && word[1] <= '9') || word[1] == '.';
+    return !is_number || find_flag(form, word) != nullptr;
+}
+
 [[noreturn]] void reject_flag(const CommandForm& form, const std::string& name) {
     const auto& planned = form.planned_flags;
     if (std::find(planned.begin(), planned.end(), name) != planned.end()) {
@@ -130,7 +137,7 @@ Arguments parse_arguments(const CommandForm& form, std::span<const std::string> 
     bool only_operands = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
-        if (only_operands || word.size() < 2 || word[0] != '-') {
+        if (only_operands || !is_flag(form, word)) {
             arguments.operands.push_back(word);
             continue;
         }

@@ -55,7 +55,8 @@ inline constexpr std::string_view kHelpFlag = "--help";
 inline constexpr std::string_view kSetFlag = "--set";
 
 /// Sorts the words after the command's name. `--name value` and `--name=value` are the same; a
-/// value may begin with a dash, but not be a flag; after `--` everything is an operand. With --help
+/// value may begin with a dash, but not be a flag; negative numbers and all after `--` are
+/// operands. With --help
 /// (-h) nothing else is checked. Throws InputError for an unknown flag (naming the nearest known
 /// one), a planned one, a repeated one, a missing or superfluous value, a required flag that is not
 /// there, and the wrong number of operands.

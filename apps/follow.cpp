@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/follow.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/follow_session.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
@@ -23,7 +23,6 @@
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/results.hpp"
-#include "io/updates.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/options.hpp"
 
@@ -50,7 +49,8 @@ class Pace {
 public:
     explicit Pace(double speed) : speed_(speed) {}
 
-    void wait_for(const Scan& scan, Follower& follower) {
+    void wait_for_next(FollowSession& session) {
+        const Scan& scan = session.next();
         if (speed_ <= 0.0 || !std::isfinite(scan.time_s)) return;
         if (!is_started_) {
             is_started_ = true;
@@ -60,7 +60,7 @@ public:
         // Time stamps may run backwards; then nothing is waited for.
         const std::chrono::duration<double> due((scan.time_s - start_s_) / speed_);
         while (std::chrono::steady_clock::now() - start_ + kIdle < due) {
-            if (!follower.refine()) break;
+            if (!session.refine()) break;
         }
         std::this_thread::sleep_until(start_ +
                                       std::chrono::duration_cast<std::chrono::nanoseconds>(due));
@@ -76,28 +76,6 @@ private:
     double start_s_ = 0.0;
 };
 
-/// Scans that cannot be used are left out and counted: a robot's log goes on.
-class RefusedScans {
-public:
-    /// The line of updates.jsonl; nothing for a scan that is left out.
-    std::string add(const Scan& scan, Follower& follower) {
-        try {
-            return io::to_json_line(follower.add_scan(scan));
-        } catch (const InputError& error) {
-            if (count_++ == 0) first_ = error.what();
-            return {};
-        }
-    }
-    void warn(std::vector<std::string>& warnings) const {
-        if (count_ == 0) return;
-        warnings.push_back("scans left out: " + std::to_string(count_) + "; the first: " + first_);
-    }
-
-private:
-    std::size_t count_ = 0;
-    std::string first_;
-};
-
 std::vector<std::string> write(const std::filesystem::path& folder, const Follower& follower,
                                const Segmentation& rooms, const std::string& updates,
                                const io::RunInfo& info) {
@@ -108,6 +86,16 @@ std::vector<std::string> write(const std::filesystem::path& folder, const Follow
     io::write_file_atomically(folder / "updates.jsonl", updates);
     return {"rooms_color.png", "rooms.svg",   "rooms.png", "rooms.yaml", "rooms.geojson",
             "graph.json",      "report.json", "map.pgm",   "map.yaml",   "updates.jsonl"};
+}
+
+FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
+                            const PosedLog& log) {
+    const std::optional<std::string> project = arguments.value("--project");
+    if (!project) return {options, log.scans};
+    store::LogPosition position;
+    position.log = io::display_name(arguments.operands[0]);
+    position.log_hash = hash_of(log.scans, log.content_hash);
+    return {options, log.scans, position, *project};
 }
 
 void run(const Arguments& arguments) {
@@ -132,19 +120,18 @@ void run(const Arguments& arguments) {
     info.options = option_fields(options.segment);
     std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
     info.num_threads = static_cast<int>(options.segment.num_threads);
-    Follower follower(options);
+    FollowSession session = begin_session(arguments, options, log);
+    const Follower& follower = session.follower();
     Pace pace(play.speed);
-    std::string updates;
-    RefusedScans refused;
-    for (std::size_t i = 0; i < log.scans.size(); ++i) {
-        pace.wait_for(log.scans[i], follower);
-        updates += refused.add(log.scans[i], follower);
-        progress.update(i + 1, log.scans.size());
-        if (play.every != 0 && (i + 1) % play.every == 0 && follower.num_rooms() > 0) {
-            write(folder, follower, follower.rooms(), updates, info);
+    while (!session.is_done()) {
+        pace.wait_for_next(session);
+        session.add_next();
+        progress.update(session.num_done(), log.scans.size());
+        if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
+            write(folder, follower, follower.rooms(), session.updates(), info);
         }
     }
-    updates += io::to_json_line(follower.finish());
+    session.finish();
     if (!follower.map().is_placed()) {
         throw InputError(io::display_name(arguments.operands[0]) +
                          ": no reading says anything: expected ranges above 0 that hit something");
@@ -154,9 +141,11 @@ void run(const Arguments& arguments) {
     rooms.report.num_leaves = follower.map().num_leaves();
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings = log.warnings;
-    refused.warn(rooms.report.warnings);
+    for (std::string& warning : session.warnings()) {
+        rooms.report.warnings.push_back(std::move(warning));
+    }
     progress.begin("write");
-    const std::vector<std::string> files = write(folder, follower, rooms, updates, info);
+    const std::vector<std::string> files = write(folder, follower, rooms, session.updates(), info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
     const std::chrono::duration<double, std::milli> elapsed =
@@ -176,19 +165,20 @@ Command follow_command() {
     form.name = "follow";
     form.text = "Follows a robot through a laser log (CARMEN): map, rooms and doors, scan by scan.";
     form.operands = {"LOG"};
-    form.flags = {output_flag(),
-                  resolution_flag(),
-                  flag_of(more, "every", "N"),
-                  flag_of(more, "speed", "X"),
-                  poses_flag(),
-                  flag_of(fields, "door_width", "M"),
-                  flag_of(fields, "granularity", "G"),
-                  flag_of(fields, "threads", "N"),
-                  {std::string(kSetFlag), "", "NAME=VALUE",
-                   "any other option ('quadcut options' lists them); may be repeated"},
-                  json_flag(),
-                  quiet_flag()};
-    form.planned_flags = {"--project"};
+    form.flags = {
+        output_flag(),
+        resolution_flag(),
+        flag_of(more, "every", "N"),
+        flag_of(more, "speed", "X"),
+        poses_flag(),
+        {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
+        flag_of(fields, "door_width", "M"),
+        flag_of(fields, "granularity", "G"),
+        flag_of(fields, "threads", "N"),
+        {std::string(kSetFlag), "", "NAME=VALUE",
+         "any other option ('quadcut options' lists them); may be repeated"},
+        json_flag(),
+        quiet_flag()};
     return {form, run};
 }
 

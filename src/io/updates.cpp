@@ -5,8 +5,6 @@
 #include "io/json_writer.hpp"
 
 namespace quadcut::io {
-namespace {
-
 const char* name_of(RoomLife life) {
     switch (life) {
         case RoomLife::born:
@@ -22,8 +20,6 @@ const char* name_of(RoomLife life) {
     }
     return "";
 }
-
-}  // namespace
 
 std::string to_json_line(const FollowUpdate& update) {
     JsonWriter json;

@@ -17,7 +17,8 @@ MAY_INCLUDE = {
     "segment": CORE,
     "io": CORE,
     "sim": CORE | {"io"},
-    "apps": CORE | {"io", "sim"},
+    "store": CORE | {"io"},
+    "apps": CORE | {"io", "sim", "store"},
 }
 
 

@@ -168,6 +168,10 @@ MapUpdate OccupancyMap::commit() {
     }
     std::sort(tiles.begin(), tiles.end(),
               [](const WrittenTile& a, const WrittenTile& b) { return a.code < b.code; });
+    update.written.reserve(tiles.size());
+    for (const WrittenTile& tile : tiles) {
+        update.written.push_back(tile_of(root_.block(kTileBits, tile.position).lower_left));
+    }
     TreeChange change = update_tree(pyramid_, committed_root_, root_, tiles);
     store_.give_back();
     pending_ = std::vector<Pending>{};

@@ -30,6 +30,8 @@ struct MapUpdate {
     /// The smallest block of the tree, a tile at least, that covers what was written or observed.
     /// Nothing if nothing was. Eq. (12): ps = num_nodes_in(covering) / num_nodes()
     std::optional<Root> covering;
+    /// The 8 x 8-cell tiles whose log-odds may have changed, in Z order.
+    std::vector<Cell> written;
 };
 
 /// The quadtree map: log-odds of being occupied in square cells, and the tree of maximal aligned

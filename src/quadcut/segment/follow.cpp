@@ -3,6 +3,7 @@
 #include "quadcut/segment/follow.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -15,27 +16,11 @@ namespace {
 
 /// Changes within about this of each other are cut together.
 constexpr double kPatchM = 4.0;
-/// Of the labels' raster: 820 m a side at 5 cm, five bytes each.
+/// Of the map's bounding box: 820 m a side at 5 cm.
 constexpr double kMaxCells = 268435456.0;
-/// The labels' raster grows by at least this at a time, cells.
-constexpr std::int32_t kSlackCells = 256;
-
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
-}
-
-template <typename T>
-void enlarge(Raster<T>& raster, const Box& box) {
-    Raster<T> larger(box);
-    for (std::int32_t y = 0; y < raster.height; ++y) {
-        const auto from = raster.values.begin() + static_cast<std::ptrdiff_t>(y) *
-                                                      static_cast<std::ptrdiff_t>(raster.width);
-        const Cell to{raster.origin.x, raster.origin.y + y};
-        std::copy(from, from + raster.width,
-                  larger.values.begin() + static_cast<std::ptrdiff_t>(larger.offset(to)));
-    }
-    raster = std::move(larger);
 }
 
 /// Patches of changes: the tiles of each, by nearness.
@@ -77,6 +62,16 @@ std::vector<std::pair<Box, std::size_t>> patches(
     return result;
 }
 
+/// The cells of tiles.
+Box cells_of_tiles(const Box& tiles) {
+    const Cell high = first_cell_of(tiles.high);
+    return {first_cell_of(tiles.low), {high.x + kTileSide - 1, high.y + kTileSide - 1}};
+}
+
+std::uint64_t free_rows(const Tile& tile) {
+    return rows_where(tile, [](int log_odds) { return log_odds < 0; });
+}
+
 }  // namespace
 
 Follower::Follower(const FollowOptions& options) : options_(options), map_(options.resolution_m) {}
@@ -111,8 +106,10 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
 FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
     FollowUpdate update;
     const auto start = std::chrono::steady_clock::now();
-    if (!patch.values.empty()) require_room_for(patch.box());
-    if (!patch.values.empty()) map_.reserve(patch.box().low, patch.box().high);
+    if (!patch.values.empty()) {
+        require_room_for(patch.box());
+        map_.reserve(patch.box().low, patch.box().high);
+    }
     for (std::size_t i = 0; i < patch.values.size(); ++i) {
         map_.set_state(patch.cell(i), patch.values[i]);
     }
@@ -138,10 +135,10 @@ FollowUpdate Follower::finish() {
 }
 
 bool Follower::refine() {
-    if (rooms_.empty()) return false;
     const auto oldest = std::min_element(
         rooms_.begin(), rooms_.end(),
         [](const auto& p, const auto& q) { return p.second.refined_at < q.second.refined_at; });
+    if (oldest == rooms_.end() || oldest->second.refined_at > changed_at_) return false;
     oldest->second.refined_at = ++num_cuts_;
     FollowUpdate update;
     cut_window(oldest->second.box, update);
@@ -150,45 +147,26 @@ bool Follower::refine() {
 
 /// Compares what is free now with what was when rooms were last cut there.
 void Follower::note_changes(const MapUpdate& update) {
-    if (update.rebuilt.empty()) return;
-    Box all;
-    std::set<std::pair<std::int32_t, std::int32_t>> tiles;
-    for (const Leaf& leaf : update.rebuilt) {
-        if (leaf.state == CellState::unknown && leaf.level > kTileBits) continue;
-        const Cell low = tile_of(leaf.box().low);
-        const Cell high = tile_of(leaf.box().high);
-        for (std::int32_t y = low.y; y <= high.y; ++y) {
-            for (std::int32_t x = low.x; x <= high.x; ++x) tiles.emplace(x, y);
-        }
-        all.include(leaf.box());
-    }
-    if (tiles.empty()) return;
-    make_room_for(all);
-    for (const auto& [x, y] : tiles) {
-        const Tile& tile = map_.tile({x, y});
-        const Cell low = first_cell_of({x, y});
-        std::size_t count = 0;
-        for (std::int32_t dy = 0; dy < kTileSide; ++dy) {
-            const std::size_t row = cut_free_.offset({low.x, low.y + dy});
-            for (std::int32_t dx = 0; dx < kTileSide; ++dx) {
-                const bool is_free = tile.values[static_cast<std::size_t>(8 * dy + dx)] < 0;
-                const bool was_free = cut_free_.values[row + static_cast<std::size_t>(dx)] != 0;
-                if (is_free != was_free) ++count;
-            }
-        }
-        const auto found = changed_tiles_.find({x, y});
+    if (update.written.empty()) return;
+    for (const Cell tile : update.written) {
+        cells_.mark(tile);
+        written_.include(cells_of_tiles({tile, tile}));
+        const std::uint64_t changed = free_rows(map_.tile(tile)) ^ cells_.tile(tile).cut_free;
+        const auto count = static_cast<std::size_t>(std::popcount(changed));
+        const auto found = changed_tiles_.find({tile.x, tile.y});
         if (found != changed_tiles_.end()) {
             num_changed_ -= found->second;
             changed_tiles_.erase(found);
         }
         if (count == 0) continue;
-        changed_tiles_[{x, y}] = count;
+        changed_tiles_[{tile.x, tile.y}] = count;
         num_changed_ += count;
     }
 }
 
 void Follower::require_room_for(Box cells) const {
-    if (!labels_.values.empty()) cells.include(labels_.box());
+    cells = cells_of_tiles({tile_of(cells.low), tile_of(cells.high)});
+    if (!written_.is_empty()) cells.include(written_);
     const double num_cells = static_cast<double>(cells.width()) * cells.height();
     if (num_cells <= kMaxCells) return;
     throw InputError("the followed map would span " + std::to_string(cells.width()) + " x " +
@@ -196,32 +174,23 @@ void Follower::require_room_for(Box cells) const {
                      std::to_string(static_cast<long>(kMaxCells)) + "; is a pose wrong?");
 }
 
-void Follower::make_room_for(const Box& cells) {
-    // Whole tiles, so that one look is enough for each.
-    const Cell low = first_cell_of(tile_of(cells.low));
-    const Cell high = first_cell_of(tile_of(cells.high));
-    const Box tiles{low, {high.x + kTileSide - 1, high.y + kTileSide - 1}};
-    const Box before = labels_.box();
-    if (!labels_.values.empty() && before.contains(tiles.low) && before.contains(tiles.high)) {
-        return;
-    }
-    Box box = labels_.values.empty() ? tiles : before;
-    box.include(tiles);
-    if (box.low.x < before.low.x || before.is_empty()) box.low.x -= kSlackCells;
-    if (box.low.y < before.low.y || before.is_empty()) box.low.y -= kSlackCells;
-    if (box.high.x > before.high.x || before.is_empty()) box.high.x += kSlackCells;
-    if (box.high.y > before.high.y || before.is_empty()) box.high.y += kSlackCells;
-    enlarge(labels_, box);
-    enlarge(cut_free_, box);
-}
-
 void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
     const auto start = std::chrono::steady_clock::now();
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
     for (const auto& [box, count] : patches(changed_tiles_, options_.resolution_m)) {
-        if (static_cast<double>(count) * cell_m2 >= min_patch_m2) cut_window(box, update);
+        if (static_cast<double>(count) * cell_m2 < min_patch_m2) continue;
+        cut_window(box, update);
+        changed_at_ = num_cuts_;
     }
     update.segment_ms = ms_since(start);
+}
+
+RoomId Follower::room_at(const Point& point) const {
+    return RoomId{cells_.room(map_.cell_at(point))};
+}
+
+std::size_t Follower::bytes() const {
+    return map_.bytes() + cells_.bytes() + openings_.capacity() * sizeof(LocalOpening);
 }
 
 }  // namespace quadcut

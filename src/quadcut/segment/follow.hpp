@@ -12,6 +12,7 @@
 
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/follow_state.hpp"
 #include "quadcut/segment/local_cut.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segmentation.hpp"
@@ -63,24 +64,48 @@ struct FollowUpdate {
 class Follower {
 public:
     explicit Follower(const FollowOptions& options = {});
+    /// Goes on where state_since_save() of a follower with the same options was.
+    /// Throws InputError when the state contradicts itself. O(state).
+    Follower(const FollowOptions& options, const FollowerState& state);
 
     /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
-    /// scan that cannot be used, or so far away that the map would have more than 2^28 cells; the
+    /// scan that cannot be used, or so far away that the map would span more than 2^28 cells; the
     /// state is then unchanged. O(cells in sight + cells within 25 m of what has changed).
     FollowUpdate add_scan(const Scan& scan);
     /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of
-    /// map().
+    /// map(). Throws InputError as above.
     FollowUpdate update_cells(const Raster<CellState>& patch);
     /// Cuts around all that has changed, however little.
     FollowUpdate finish();
-    /// Cuts once more around one room: what idle time is for. False when there is none.
+    /// Cuts once more around the room that was refined longest ago: what idle time is for. False
+    /// when every room was since the last scan that changed something.
     bool refine();
+
+    /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
+    /// does not exist or the edit cannot be made, and say why.
+    void rename(RoomId room, const std::string& name);
+    /// `other` becomes part of `room`, which it touches; what is one stays one.
+    FollowUpdate merge(RoomId room, RoomId other);
+    /// Cuts the room between two points of the map frame, near walls or at them, in two of which
+    /// the larger keeps its id; the line stays a cut. Returns the new room's id in the event.
+    FollowUpdate split(const Point& from, const Point& to);
+    /// The room keeps its cells, and gets no others.
+    void lock(RoomId room);
 
     [[nodiscard]] const OccupancyMap& map() const { return map_; }
     [[nodiscard]] std::size_t num_scans() const { return num_scans_; }
     [[nodiscard]] std::size_t num_rooms() const { return rooms_.size(); }
+    /// The room at a point of the map frame; 0 = none. O(1).
+    [[nodiscard]] RoomId room_at(const Point& point) const;
+    /// By id.
+    [[nodiscard]] const std::map<std::uint32_t, FollowedRoom>& followed() const { return rooms_; }
+    [[nodiscard]] const std::vector<SplitLine>& split_lines() const { return split_lines_; }
     /// The rooms on the cells of map().to_grid(), with doors. O(map).
     [[nodiscard]] Segmentation rooms() const;
+    /// What is to be saved. Of the tiles only those that changed since the last time. O(changes).
+    [[nodiscard]] FollowerState state_since_save();
+    /// Bytes held.
+    [[nodiscard]] std::size_t bytes() const;
 
 private:
     /// The parts of a room outside of a window, by what they are connected with.
@@ -98,13 +123,6 @@ private:
         std::vector<std::size_t> region_cells;
         /// Cells of each room in the window.
         std::map<std::uint32_t, std::size_t> cells_inside;
-    };
-    struct FollowedRoom {
-        std::size_t num_cells = 0;
-        double peak_m = 0.0;
-        Box box;
-        double announced_m2 = 0.0;
-        std::size_t refined_at = 0;
     };
 
     void note_changes(const MapUpdate& update);
@@ -131,28 +149,31 @@ private:
                         std::uint32_t now, FollowUpdate& update);
     void update_rooms(const LocalCut& cut, const Overlaps& overlaps,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
-    /// Throws InputError when the labels would not fit.
+    /// Throws InputError when the map would span too many cells.
     void require_room_for(Box cells) const;
-    void make_room_for(const Box& cells);
-    [[nodiscard]] std::uint32_t room_at(Cell cell) const {
-        return labels_.contains(cell) ? labels_.at(cell) : 0;
-    }
+    [[nodiscard]] std::uint32_t existing(RoomId room) const;
+    void add_split_line(const SplitLine& line);
+    void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;
 
     FollowOptions options_;
     OccupancyMap map_;
     std::size_t num_scans_ = 0;
-    /// The room of each cell, and whether it was free when rooms were last cut there.
-    Raster<std::uint32_t> labels_;
-    Raster<std::uint8_t> cut_free_;
+    RoomCells cells_;
+    /// Holds all tiles that were written, in cells.
+    Box written_;
     /// Tiles with cells that are free now and were not, or the other way round, and how many.
     std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> changed_tiles_;
     std::size_t num_changed_ = 0;
     std::map<std::uint32_t, FollowedRoom> rooms_;
     std::vector<LocalOpening> openings_;
+    std::vector<SplitLine> split_lines_;
+    /// Their cells, by y and x.
+    std::set<std::pair<std::int32_t, std::int32_t>> split_cells_;
     /// Of the rooms that go on beyond the window that is being cut.
     std::map<std::uint32_t, Outside> outside_;
     std::uint32_t next_id_ = 1;
     std::size_t num_cuts_ = 0;
+    std::size_t changed_at_ = 0;
 };
 
 }  // namespace quadcut

@@ -35,8 +35,10 @@ Segmentation Follower::rooms() const {
     Raster<std::uint32_t> labels(grid.states.origin, grid.states.width, grid.states.height);
     Raster<std::uint8_t> kept(grid.states.origin, grid.states.width, grid.states.height);
     for (std::size_t i = 0; i < states.values.size(); ++i) {
-        const std::uint32_t room = room_at(states.cell(i));
+        const std::uint32_t room = cells_.room(states.cell(i));
         if (room == 0) continue;
+        // What stands in a locked room does not open its border.
+        if (states.values[i] != CellState::free && rooms_.at(room).is_locked) continue;
         labels.values[i] = place_of_room.at(room);
         result.labels.values[i] = static_cast<std::uint16_t>(labels.values[i]);
         kept.values[i] = states.values[i] == CellState::free ? 1 : 0;
@@ -53,7 +55,8 @@ Segmentation Follower::rooms() const {
     for (const auto& [id, place] : place_of_room) {
         Room& room = result.rooms[place - 1];
         room.id = RoomId{id};
-        room.name = default_name(room.kind, room.id);
+        const std::string& name = rooms_.at(id).name;
+        room.name = name.empty() ? default_name(room.kind, room.id) : name;
     }
     for (Door& door : result.doors) {
         for (RoomId* side : {&door.a, &door.b}) *side = result.rooms[index(*side) - 1].id;

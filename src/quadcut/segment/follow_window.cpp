@@ -41,23 +41,40 @@ Box Follower::cells_to_decide(const Box& changed) const {
     std::set<std::uint32_t> rooms;
     for (std::int32_t y = touched.low.y; y <= touched.high.y; ++y) {
         for (std::int32_t x = touched.low.x; x <= touched.high.x; ++x) {
-            if (room_at({x, y}) != 0) rooms.insert(room_at({x, y}));
+            if (cells_.room({x, y}) != 0) rooms.insert(cells_.room({x, y}));
         }
     }
     Box decided = near;
-    for (const std::uint32_t room : rooms) decided.include(rooms_.at(room).box);
+    for (const std::uint32_t number : rooms) {
+        const FollowedRoom& room = rooms_.at(number);
+        if (!room.is_locked) decided.include(room.box);
+    }
     return {{std::max(decided.low.x, far.low.x), std::max(decided.low.y, far.low.y)},
             {std::min(decided.high.x, far.high.x), std::min(decided.high.y, far.high.y)}};
 }
 
+/// Locked rooms and the lines where people cut are walls to what is around them.
 LocalWindow Follower::read_window(const Box& decided) const {
     const Box box = grown(decided, kDecidedReachM, options_.resolution_m);
-    LocalWindow window{Raster<CellState>(box, CellState::unknown), Raster<std::uint32_t>(box),
-                       decided, options_.resolution_m};
+    LocalWindow window{Raster<CellState>(box, CellState::unknown),
+                       Raster<std::uint32_t>(box),
+                       decided,
+                       options_.resolution_m,
+                       {},
+                       {}};
+    for (const auto& [number, room] : rooms_) {
+        if (room.is_locked) window.locked.insert(number);
+        if (room.is_merged) window.merged.insert(number);
+    }
     for (std::size_t i = 0; i < window.states.values.size(); ++i) {
         const Cell cell = window.states.cell(i);
         window.states.values[i] = map_.state(cell);
-        window.rooms.values[i] = room_at(cell);
+        window.rooms.values[i] = cells_.room(cell);
+        if (window.locked.empty() || window.locked.count(window.rooms.values[i]) == 0) continue;
+        window.states.values[i] = CellState::occupied;
+    }
+    for (const auto& [y, x] : split_cells_) {
+        if (box.contains({x, y})) window.states.at({x, y}) = CellState::occupied;
     }
     return window;
 }
@@ -65,17 +82,17 @@ LocalWindow Follower::read_window(const Box& decided) const {
 void Follower::cut_window(const Box& changed, FollowUpdate& update) {
     ++num_cuts_;
     const Box decided = cells_to_decide(changed);
-    make_room_for(grown(decided, kDecidedReachM, options_.resolution_m));
     const LocalWindow window = read_window(decided);
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     outside_.clear();
-    const LocalCut cut = cut_locally(
+    LocalCut cut = cut_locally(
         window, options_.segment,
         [&](std::uint32_t room, const std::vector<Cell>& parts,
             const Raster<std::uint32_t>& pieces) {
             return look_beyond(window, room, parts, pieces);
         },
         executor);
+    fill_split_lines(window, cut);
     update.graph_nodes = std::max(update.graph_nodes, cut.num_nodes);
     const Overlaps overlaps = find_overlaps(window, cut);
     const std::vector<std::uint32_t> room_of_region =
@@ -112,7 +129,7 @@ Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint3
     for (const Cell part : parts) box.include({part, part});
     outside.groups = Raster<std::uint32_t>(box);
     const auto is_way = [&](Cell cell) {
-        if (!known.box.contains(cell) || room_at(cell) != room) return false;
+        if (!known.box.contains(cell) || cells_.room(cell) != room) return false;
         if (!pieces.contains(cell)) return true;
         const std::uint32_t piece = pieces.at(cell);
         return std::any_of(parts.begin(), parts.end(),
@@ -149,9 +166,10 @@ std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t 
         if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
         for (const auto& [own, far] :
              {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
-            if (room_at(own) != room || room_at(far) == room || room_at(far) == 0) continue;
+            if (cells_.room(own) != room || cells_.room(far) == room || cells_.room(far) == 0)
+                continue;
             if (!outside.groups.values.empty() && outside.groups.at(own) != group + 1) continue;
-            const auto other = rooms_.find(room_at(far));
+            const auto other = rooms_.find(cells_.room(far));
             if (other == rooms_.end()) continue;
             const bool is_place =
                 static_cast<double>(other->second.num_cells) * cell_m2 >= kPlaceM2;
@@ -182,6 +200,7 @@ Follower::Overlaps Follower::find_overlaps(const LocalWindow& window, const Loca
     std::size_t* count = nullptr;
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const std::pair here(cut.regions.values[i], window.rooms.values[i]);
+        if (here.first == kNotCut) continue;
         // Neighbouring cells mostly have the same.
         if (count == nullptr || here != last) count = &overlaps.shared[last = here];
         ++*count;
@@ -263,13 +282,14 @@ void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
     });
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const Cell cell = cut.regions.cell(i);
-        const std::uint32_t now = room_of_region[cut.regions.values[i]];
-        std::uint32_t& label = labels_.at(cell);
-        if (label != 0 && now != 0 && label != now) update.relabelled_m2 += cell_m2;
-        label = now;
         if (window.decided.contains(cell)) {
-            cut_free_.at(cell) = window.states.values[i] == CellState::free ? 1 : 0;
+            cells_.set_cut_free(cell, map_.state(cell) == CellState::free);
         }
+        if (cut.regions.values[i] == kNotCut) continue;
+        const std::uint32_t now = room_of_region[cut.regions.values[i]];
+        const std::uint32_t before = window.rooms.values[i];
+        if (before != 0 && now != 0 && before != now) update.relabelled_m2 += cell_m2;
+        cells_.set_room(cell, now);
     }
     const Cell low = tile_of(window.decided.low);
     const Cell high = tile_of(window.decided.high);
@@ -291,9 +311,9 @@ void Follower::rename_outside(const LocalWindow& window, std::uint32_t room, std
     for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
         for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
             const Cell cell{x, y};
-            if (room_at(cell) != room || window.states.contains(cell)) continue;
+            if (cells_.room(cell) != room || window.states.contains(cell)) continue;
             if (!outside.groups.values.empty() && outside.groups.at(cell) != group + 1) continue;
-            labels_.at(cell) = now;
+            cells_.set_room(cell, now);
             update.relabelled_m2 += options_.resolution_m * options_.resolution_m;
         }
     }
@@ -317,7 +337,7 @@ void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
     });
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const std::uint32_t region = cut.regions.values[i];
-        if (region == 0) continue;
+        if (region == 0 || region == kNotCut) continue;
         FollowedRoom& room = changed[room_of_region[region]];
         ++room.num_cells;
         const Cell cell = cut.regions.cell(i);

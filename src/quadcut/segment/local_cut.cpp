@@ -93,6 +93,7 @@ LocalPieces divide(const LocalWindow& window, const Basins& basins) {
     for (std::size_t i = 0; i < kept_room.values.size(); ++i) {
         const std::uint32_t basin = basins.labels.values[i];
         if (basin == 0 || fresh_number[basin] != 0) continue;
+        if (window.locked.count(window.rooms.values[i]) != 0) continue;
         kept_room.values[i] =
             window.rooms.values[i] != 0 ? window.rooms.values[i] : majority[basin];
     }
@@ -116,8 +117,8 @@ LocalPieces divide(const LocalWindow& window, const Basins& basins) {
 }
 
 /// Joins what was one room before and what is not to be decided again: parts that are connected
-/// beyond the window, and pieces that meet outside of `decided`. Returns which pieces go on beyond
-/// the window.
+/// beyond the window, pieces that meet outside of `decided`, and those that people made one.
+/// Returns which pieces go on beyond the window.
 std::vector<bool> join_what_was_one(const LocalWindow& window, const LocalPieces& pieces,
                                     const AskBeyond& ask_beyond, RegionGraph& regions) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of_room;
@@ -148,7 +149,10 @@ std::vector<bool> join_what_was_one(const LocalWindow& window, const LocalPieces
         const std::uint32_t a = pieces.labels.values[i];
         const std::uint32_t b = pieces.labels.values[j];
         if (a == b || a == 0 || b == 0 || pieces.earlier_room[a] != pieces.earlier_room[b]) return;
-        if (pieces.earlier_room[a] == 0 || window.decided.contains(pieces.labels.cell(i))) return;
+        const std::uint32_t room = pieces.earlier_room[a];
+        if (room == 0) return;
+        if (window.decided.contains(pieces.labels.cell(i)) && window.merged.count(room) == 0)
+            return;
         pairs.emplace_back(std::max(a, b), std::min(a, b));
     };
     const auto width = static_cast<std::size_t>(pieces.labels.width);
@@ -195,6 +199,9 @@ LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
         }
         label = number[label];
     }
+    for (std::size_t i = 0; i < cut.regions.values.size() && !window.locked.empty(); ++i) {
+        if (window.locked.count(window.rooms.values[i]) != 0) cut.regions.values[i] = kNotCut;
+    }
     cut.kept = pieces.kept;
     for (const KeptPart& part : cut.kept) {
         cut.region_of_kept.push_back(cut.regions.at(part.cell));
@@ -202,7 +209,7 @@ LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (region < other && window.decided.contains(saddle.a)) {
-                cut.openings.push_back({saddle.a, saddle.b, saddle.clearance_m});
+                cut.openings.push_back({saddle.a, saddle.b, saddle.clearance_m, 0, 0});
             }
         }
     }

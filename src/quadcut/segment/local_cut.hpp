@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
@@ -25,7 +26,14 @@ struct LocalWindow {
     /// What is cut anew: all that changed, and kDecidedReachM around it.
     Box decided;
     double resolution_m = 0.05;
+    /// Rooms that keep their cells, whose states are those of walls.
+    std::set<std::uint32_t> locked;
+    /// Rooms that are not cut apart.
+    std::set<std::uint32_t> merged;
 };
+
+/// The region of a cell that stays as it is: in a locked room.
+inline constexpr std::uint32_t kNotCut = 0xffffffff;
 
 /// What a room, or a part of it, has outside of a window.
 struct Beyond {
@@ -45,10 +53,13 @@ struct LocalOpening {
     Cell a;
     Cell b;
     float clearance_m = 0.0F;
+    /// The rooms when it was found.
+    std::uint32_t room_a = 0;
+    std::uint32_t room_b = 0;
 };
 
 struct LocalCut {
-    /// 1 .. num_regions; 0 = none. Those of kept parts are among them.
+    /// 1 .. num_regions; 0 = none; kNotCut. Those of kept parts are among them.
     Raster<std::uint32_t> regions;
     std::uint32_t num_regions = 0;
     /// The largest clearance in each region, that of what it continues included.

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "apps/follow_session.hpp"
+
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "io/file.hpp"
+#include "io/option_text.hpp"
+#include "io/updates.hpp"
+#include "quadcut/base/error.hpp"
+
+namespace quadcut {
+namespace {
+
+/// With the longest update and the time of a save less than a second.
+constexpr std::chrono::milliseconds kSaveAfter{500};
+
+/// A project goes on with the options that it has.
+void require_same(const std::filesystem::path& path, FollowOptions project, FollowOptions given) {
+    const std::string name = io::display_name(path);
+    if (project.resolution_m != given.resolution_m) {
+        throw InputError(name + ": has a resolution of " + std::to_string(project.resolution_m) +
+                         " m: expected the same for this run, not " +
+                         std::to_string(given.resolution_m));
+    }
+    const std::vector<OptionField> had = option_fields(project.segment);
+    const std::vector<OptionField> has = option_fields(given.segment);
+    for (std::size_t i = 0; i < had.size(); ++i) {
+        const std::string before = io::option_text(had[i]);
+        const std::string now = io::option_text(has[i]);
+        if (had[i].name == "threads" || before == now) continue;
+        throw InputError(name + ": was begun with " + std::string(had[i].name) + " = " + before +
+                         ": expected the same for this run, not " + now);
+    }
+}
+
+store::Project open_project(const std::filesystem::path& path, const FollowOptions& options,
+                            const store::LogPosition& log) {
+    if (!std::filesystem::exists(path)) return store::Project::create(path, options, log);
+    store::Project project(path, store::Access::write);
+    if (project.position().log_hash != log.log_hash) {
+        throw InputError(io::display_name(path) + ": follows another log, " +
+                         project.position().log + ", or had other poses: expected the same log");
+    }
+    require_same(path, project.options(), options);
+    return project;
+}
+
+std::string_view bytes_of(const double& value, std::array<char, sizeof(double)>& buffer) {
+    std::memcpy(buffer.data(), &value, sizeof value);
+    return {buffer.data(), buffer.size()};
+}
+
+}  // namespace
+
+std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed) {
+    std::array<char, sizeof(double)> buffer{};
+    for (const Scan& scan : scans) {
+        const Pose& pose = scan.world_from_sensor;
+        for (const double value : {pose.x, pose.y, pose.yaw_rad}) {
+            seed = io::hash_bytes(bytes_of(value, buffer), seed);
+        }
+    }
+    return seed;
+}
+
+FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+                             const store::LogPosition& log, const std::filesystem::path& project)
+    : scans_(scans),
+      project_(open_project(project, options, log)),
+      follower_(project_->follower()),
+      position_(project_->position()),
+      updates_(project_->update_lines()) {
+    if (position_.num_done > scans_.size()) {
+        throw InputError(io::display_name(project) + ": has followed " +
+                         std::to_string(position_.num_done) + " scans of a log with " +
+                         std::to_string(scans_.size()));
+    }
+}
+
+FollowUpdate FollowSession::add_next() {
+    FollowUpdate update;
+    try {
+        update = follower_.add_scan(next());
+        keep(update);
+    } catch (const InputError& error) {
+        if (position_.num_left_out++ == 0) position_.first_left_out = error.what();
+    }
+    ++position_.num_done;
+    if (project_ && std::chrono::steady_clock::now() - saved_at_ > kSaveAfter) save();
+    return update;
+}
+
+void FollowSession::finish() {
+    if (position_.is_finished) return;
+    keep(follower_.finish());
+    position_.is_finished = true;
+    if (project_) save();
+}
+
+void FollowSession::keep(const FollowUpdate& update) {
+    const std::string line = io::to_json_line(update);
+    updates_ += line;
+    if (project_) project_->add(update, line);
+}
+
+void FollowSession::save() {
+    project_->save(follower_, position_);
+    saved_at_ = std::chrono::steady_clock::now();
+}
+
+std::vector<std::string> FollowSession::warnings() const {
+    if (position_.num_left_out == 0) return {};
+    return {"scans left out: " + std::to_string(position_.num_left_out) +
+            "; the first: " + position_.first_left_out};
+}
+
+}  // namespace quadcut

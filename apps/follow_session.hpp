@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadcut/map/scan.hpp"
+#include "quadcut/segment/follow.hpp"
+#include "store/project.hpp"
+
+namespace quadcut {
+
+/// Scans that are followed one by one, from the first on or from where a project was left, which
+/// then is saved every half a second.
+class FollowSession {
+public:
+    FollowSession(const FollowOptions& options, std::span<const Scan> scans)
+        : scans_(scans), follower_(options) {}
+    /// `log` says what the scans are; a project of other scans or options is refused. A file that
+    /// is not there is made. Throws InputError.
+    FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+                  const store::LogPosition& log, const std::filesystem::path& project);
+
+    [[nodiscard]] bool is_done() const { return position_.num_done >= scans_.size(); }
+    [[nodiscard]] std::size_t num_done() const { return position_.num_done; }
+    [[nodiscard]] const Scan& next() const { return scans_[position_.num_done]; }
+    /// Follows the next scan. One that cannot be used is left out and counted: a robot's log goes
+    /// on. @pre not is_done().
+    FollowUpdate add_next();
+    /// Cuts what is left and saves; nothing when that was done before.
+    void finish();
+    /// While nothing else is to be done; false when there is nothing to refine.
+    bool refine() { return follower_.refine(); }
+
+    [[nodiscard]] const Follower& follower() const { return follower_; }
+    /// The lines of updates.jsonl.
+    [[nodiscard]] const std::string& updates() const { return updates_; }
+    /// What was left out, if anything.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+private:
+    void keep(const FollowUpdate& update);
+    void save();
+
+    std::span<const Scan> scans_;
+    std::optional<store::Project> project_;
+    Follower follower_;
+    store::LogPosition position_;
+    std::string updates_;
+    std::chrono::steady_clock::time_point saved_at_ = std::chrono::steady_clock::now();
+};
+
+/// Tells scans with other ranges or poses apart.
+[[nodiscard]] std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed);
+
+}  // namespace quadcut

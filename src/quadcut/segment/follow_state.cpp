@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// What a follower remembers, and how it goes on from there.
+#include <string>
+
+#include "quadcut/base/error.hpp"
+#include "quadcut/segment/follow.hpp"
+
+namespace quadcut {
+namespace {
+
+OccupancyMap empty_map(const FollowOptions& options, const FollowerState& state) {
+    if (!state.root) return OccupancyMap(options.resolution_m);
+    return OccupancyMap(options.resolution_m, {}, *state.root);
+}
+
+Box grown(const Box& box, std::int32_t by) {
+    return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
+}
+
+bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(cell); }
+
+}  // namespace
+
+Follower::Follower(const FollowOptions& options, const FollowerState& state)
+    : options_(options),
+      map_(empty_map(options, state)),
+      num_scans_(state.num_scans),
+      written_(state.written),
+      rooms_(state.rooms),
+      openings_(state.openings),
+      next_id_(state.next_id),
+      num_cuts_(state.num_cuts),
+      changed_at_(state.changed_at) {
+    for (auto& [id, room] : rooms_) {
+        if (id == 0 || id >= next_id_)
+            throw InputError("room " + std::to_string(id) + " has no id");
+        room.num_cells = 0;
+        if (!holds(written_, room.box.low) || !holds(written_, room.box.high)) {
+            throw InputError("room " + std::to_string(id) + " lies outside of the map");
+        }
+    }
+    if (!written_.is_empty()) require_room_for(written_);
+    for (const FollowedTile& tile : state.tiles) {
+        const Cell low = first_cell_of(tile.tile);
+        const std::string name =
+            "tile (" + std::to_string(tile.tile.x) + ", " + std::to_string(tile.tile.y) + ")";
+        if (!holds(written_, low)) throw InputError(name + " lies outside of the map");
+        for (const std::int8_t value : tile.log_odds.values) {
+            if (value < kMinLogOdds || value > kMaxLogOdds) {
+                throw InputError(name + ": log-odds of " + std::to_string(value));
+            }
+        }
+        for (std::size_t i = 0; i < kTileCells; ++i) {
+            if (tile.rooms.rooms[i] == 0) continue;
+            const auto room = rooms_.find(tile.rooms.rooms[i]);
+            const Cell cell{low.x + static_cast<std::int32_t>(i % kTileSide),
+                            low.y + static_cast<std::int32_t>(i / kTileSide)};
+            if (room == rooms_.end() || !holds(room->second.box, cell)) {
+                throw InputError(name + " has cells of a room that is not there");
+            }
+            ++room->second.num_cells;
+        }
+        map_.set_tile(tile.tile, tile.log_odds);
+        cells_.set_tile(tile.tile, tile.rooms);
+    }
+    map_.commit();
+    if (state.root && map_.root() != *state.root) throw InputError("tiles lie outside of the map");
+    static_cast<void>(cells_.take_marked());
+    for (const auto& [id, room] : rooms_) {
+        if (room.num_cells == 0) throw InputError("room " + std::to_string(id) + " has no cells");
+    }
+    for (const auto& [tile, count] : state.changed_tiles) {
+        changed_tiles_[{tile.x, tile.y}] = count;
+        num_changed_ += count;
+    }
+    for (const SplitLine& line : state.split_lines) {
+        // The ends lie in walls, which need not be seen.
+        Box around = written_;
+        if (!around.is_empty()) around = grown(around, 100);
+        if (!holds(around, line.from) || !holds(around, line.to)) {
+            throw InputError("a cut by hand lies outside of the map");
+        }
+        add_split_line(line);
+    }
+}
+
+FollowerState Follower::state_since_save() {
+    FollowerState state;
+    if (map_.is_placed()) state.root = map_.root();
+    state.written = written_;
+    state.num_scans = num_scans_;
+    state.next_id = next_id_;
+    state.num_cuts = num_cuts_;
+    state.changed_at = changed_at_;
+    state.rooms = rooms_;
+    state.openings = openings_;
+    for (LocalOpening& opening : state.openings) {
+        opening.room_a = cells_.room(opening.a);
+        opening.room_b = cells_.room(opening.b);
+    }
+    state.cell_m2 = options_.resolution_m * options_.resolution_m;
+    for (const auto& [at, count] : changed_tiles_) {
+        state.changed_tiles.push_back({{at.first, at.second}, count});
+    }
+    state.split_lines = split_lines_;
+    for (const Cell tile : cells_.take_marked()) {
+        state.tiles.push_back({tile, map_.tile(tile), cells_.tile(tile)});
+    }
+    return state;
+}
+
+}  // namespace quadcut

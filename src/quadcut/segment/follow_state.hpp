@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadcut/base/geometry.hpp"
+#include "quadcut/map/root.hpp"
+#include "quadcut/map/tile.hpp"
+#include "quadcut/segment/local_cut.hpp"
+#include "quadcut/segment/room_cells.hpp"
+
+namespace quadcut {
+
+/// A room that is followed.
+struct FollowedRoom {
+    /// Given by people; empty: the default name.
+    std::string name;
+    /// Made one by people: cutting again does not cut it apart.
+    bool is_merged = false;
+    /// Its cells are its own whatever is seen there.
+    bool is_locked = false;
+    std::size_t num_cells = 0;
+    /// The largest clearance in it.
+    double peak_m = 0.0;
+    /// Holds all its cells; may be larger.
+    Box box;
+    /// Its area when it was last said to have grown.
+    double announced_m2 = 0.0;
+    /// The number of cuts when it was last refined.
+    std::size_t refined_at = 0;
+};
+
+/// A cut that people drew: to the rooms on both sides it is a wall.
+struct SplitLine {
+    Cell from;
+    Cell to;
+};
+
+/// All that is known of one tile.
+struct FollowedTile {
+    Cell tile;
+    Tile log_odds;
+    RoomTile rooms;
+};
+
+/// What a Follower has to remember to go on as if nothing had happened.
+struct FollowerState {
+    /// Nothing: no cell was seen yet.
+    std::optional<Root> root;
+    /// Holds all tiles that were written, in cells.
+    Box written;
+    double cell_m2 = 0.0;
+    std::size_t num_scans = 0;
+    std::uint32_t next_id = 1;
+    std::size_t num_cuts = 0;
+    /// The number of cuts when something was last changed.
+    std::size_t changed_at = 0;
+    std::map<std::uint32_t, FollowedRoom> rooms;
+    std::vector<LocalOpening> openings;
+    /// Tiles with changes that are not cut yet, and the number of changed cells.
+    std::vector<std::pair<Cell, std::size_t>> changed_tiles;
+    std::vector<SplitLine> split_lines;
+    std::vector<FollowedTile> tiles;
+};
+
+}  // namespace quadcut

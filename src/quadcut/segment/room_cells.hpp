@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/map/tile.hpp"
+
+namespace quadcut {
+
+/// The rooms of 8 x 8 cells of a followed map; cell (x, y) is at 8 y + x.
+struct RoomTile {
+    /// 0 = none.
+    std::array<std::uint32_t, kTileCells> rooms{};
+    /// Cells that were free when rooms were last cut there, bit 8 y + x.
+    std::uint64_t cut_free = 0;
+    friend bool operator==(const RoomTile&, const RoomTile&) = default;
+};
+
+/// The room of each cell of a followed map: tiles under a directory that grows with the map, so
+/// that memory follows what was seen. It remembers which tiles have changed since they were saved.
+class RoomCells {
+public:
+    /// 0 outside. O(1).
+    [[nodiscard]] std::uint32_t room(Cell cell) const {
+        return tile(tile_of(cell)).rooms[place_in_tile(cell)];
+    }
+    /// Empty outside. The reference dies with the next write.
+    [[nodiscard]] const RoomTile& tile(Cell tile) const {
+        return tiles_[directory_.contains(tile) ? directory_.at(tile) : 0];
+    }
+
+    /// Both mark the tile if something changes.
+    void set_room(Cell cell, std::uint32_t room);
+    void set_cut_free(Cell cell, bool is_free);
+    /// Marks the tile.
+    void set_tile(Cell tile, const RoomTile& values);
+    /// Says that what belongs to a tile must be saved.
+    void mark(Cell tile);
+    /// The marked tiles, row by row; none is marked any more.
+    [[nodiscard]] std::vector<Cell> take_marked();
+
+    /// Bytes held.
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    /// A tile's number, new if it had none.
+    std::uint32_t number(Cell tile);
+
+    /// 0 = the empty tile.
+    Raster<std::uint32_t> directory_;
+    std::vector<RoomTile> tiles_ = std::vector<RoomTile>(1);
+    std::vector<bool> is_marked_ = std::vector<bool>(1);
+    std::vector<Cell> marked_;
+};
+
+}  // namespace quadcut

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "store/project.hpp"
+
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "io/file.hpp"
+#include "io/option_text.hpp"
+#include "io/updates.hpp"
+#include "quadcut/base/error.hpp"
+#include "store/project_rows.hpp"
+#include "store/schema.hpp"
+
+namespace quadcut::store {
+namespace {
+
+constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
+
+void write_options(const Database& database, FollowOptions options) {
+    Statement insert(database, "INSERT INTO options VALUES(?, ?)");
+    const std::string resolution = std::to_string(options.resolution_m);
+    for (const OptionField& field : option_fields(options.segment)) {
+        // The result is the same on any number of threads.
+        if (field.name == "threads") continue;
+        const std::string value = io::option_text(field);
+        insert.bind(1, field.name).bind(2, std::string_view(value)).run();
+    }
+}
+
+void write_meta(const Database& database, std::string_view key, std::int64_t value) {
+    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
+        .bind(1, key)
+        .bind(2, value)
+        .run();
+}
+
+void write_meta(const Database& database, std::string_view key, double value) {
+    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
+        .bind(1, key)
+        .bind(2, value)
+        .run();
+}
+
+void write_meta(const Database& database, std::string_view key, std::string_view value) {
+    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
+        .bind(1, key)
+        .bind(2, value)
+        .run();
+}
+
+void write_position(const Database& database, const LogPosition& position) {
+    write_meta(database, "log", std::string_view(position.log));
+    write_meta(database, "log_hash", static_cast<std::int64_t>(position.log_hash));
+    write_meta(database, "num_done", static_cast<std::int64_t>(position.num_done));
+    write_meta(database, "num_left_out", static_cast<std::int64_t>(position.num_left_out));
+    write_meta(database, "first_left_out", std::string_view(position.first_left_out));
+    write_meta(database, "is_finished", std::int64_t{position.is_finished});
+}
+
+/// One value of `meta`, ready to be read at column 0.
+Statement meta(const Database& database, std::string_view key) {
+    Statement statement(database, "SELECT value FROM meta WHERE key = ?");
+    statement.bind(1, key);
+    if (!statement.step()) {
+        throw InputError(io::display_name(database.path()) + ": is incomplete: expected a row '" +
+                         std::string(key) + "' in its table meta");
+    }
+    return statement;
+}
+
+std::size_t count_in_meta(const Database& database, std::string_view key) {
+    return static_cast<std::size_t>(meta(database, key).integer(0, 0, kMaxCount));
+}
+
+}  // namespace
+
+Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
+                        const LogPosition& position) {
+    // A killed program leaves no half-made project under the name.
+    std::filesystem::path beside = path;
+    beside += ".new";
+    {
+        Database database = Database::create(beside);
+        database.run("BEGIN");
+        for (const Table& table : tables()) database.run(std::string(table.sql));
+        write_options(database, options);
+        write_meta(database, "resolution_m", options.resolution_m);
+        write_position(database, position);
+        write_state(database, FollowerState{});
+        database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
+        database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
+        database.run("COMMIT");
+    }
+    std::error_code error;
+    std::filesystem::rename(beside, path, error);
+    if (error) {
+        throw InputError(io::display_name(path) + ": cannot be written: " + error.message());
+    }
+    return Project(path, Access::write);
+}
+
+Project::Project(const std::filesystem::path& path, Access access) : database_(path, access) {
+    check_form();
+    if (access == Access::write) {
+        database_.run("PRAGMA journal_mode=WAL");
+        database_.run("PRAGMA synchronous=NORMAL");
+        // Held until the project is closed, so that no other program writes.
+        database_.run("BEGIN IMMEDIATE");
+    }
+    read_options();
+    read_position();
+}
+
+void Project::check_form() const {
+    const std::string name = io::display_name(database_.path());
+    if (database_.pragma("application_id") != kApplicationId) {
+        throw InputError(name + ": is no project file: expected one that quadcut has written");
+    }
+    const std::int64_t version = database_.pragma("user_version");
+    if (version != kFormatVersion) {
+        throw InputError(name + ": is a project of format version " + std::to_string(version) +
+                         ": expected " + std::to_string(kFormatVersion) +
+                         (version > kFormatVersion ? "; a newer quadcut has written it" : ""));
+    }
+    Statement statement(database_, "SELECT sql FROM sqlite_master ORDER BY name");
+    bool is_ours = true;
+    for (const Table& table : tables()) {
+        is_ours = is_ours && statement.step() && statement.text(0) == table.sql;
+    }
+    if (!is_ours || statement.step()) {
+        throw InputError(name + ": is no project file: its tables are not those of version " +
+                         std::to_string(version));
+    }
+}
+
+void Project::read_options() {
+    const std::vector<OptionField> fields = option_fields(options_.segment);
+    Statement statement(database_, "SELECT name, value FROM options ORDER BY name");
+    try {
+        while (statement.step()) io::set_option(fields, statement.text(0), statement.text(1));
+    } catch (const InputError& error) {
+        throw InputError(io::display_name(database_.path()) + ": " + error.what());
+    }
+    options_.resolution_m = meta(database_, "resolution_m").number(0);
+    if (!(options_.resolution_m >= 0.001 && options_.resolution_m <= 10.0)) {
+        throw InputError(io::display_name(database_.path()) + ": a resolution of " +
+                         std::to_string(options_.resolution_m) + " m: expected 0.001 to 10");
+    }
+}
+
+void Project::read_position() {
+    position_.log = meta(database_, "log").text(0);
+    position_.log_hash =
+        static_cast<std::uint64_t>(meta(database_, "log_hash")
+                                       .integer(0, std::numeric_limits<std::int64_t>::min(),
+                                                std::numeric_limits<std::int64_t>::max()));
+    position_.num_done = count_in_meta(database_, "num_done");
+    position_.num_left_out = count_in_meta(database_, "num_left_out");
+    position_.first_left_out = meta(database_, "first_left_out").text(0);
+    position_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
+}
+
+Follower Project::follower() const {
+    try {
+        return Follower(options_, read_state(database_));
+    } catch (const InputError& error) {
+        const std::string name = io::display_name(database_.path());
+        const std::string what = error.what();
+        if (what.rfind(name, 0) == 0) throw;
+        throw InputError(name + ": contradicts itself: " + what);
+    }
+}
+
+std::string Project::update_lines() const {
+    std::string lines;
+    Statement statement(database_, "SELECT line FROM updates ORDER BY seq");
+    while (statement.step()) lines += statement.text(0);
+    return lines;
+}
+
+std::vector<EditRecord> Project::edits() const {
+    std::vector<EditRecord> edits;
+    Statement statement(database_,
+                        "SELECT kind, room, other, name, from_x, from_y, to_x, to_y FROM edits "
+                        "ORDER BY seq");
+    while (statement.step()) {
+        EditRecord edit;
+        edit.kind = statement.text(0);
+        edit.room = RoomId{static_cast<std::uint32_t>(statement.integer(1, 0, kMaxRoom))};
+        edit.other = RoomId{static_cast<std::uint32_t>(statement.integer(2, 0, kMaxRoom))};
+        edit.name = statement.text(3);
+        edit.line = {cell_at(statement, 4), cell_at(statement, 6)};
+        edits.push_back(std::move(edit));
+    }
+    return edits;
+}
+
+void Project::add(const FollowUpdate& update, std::string_view line) {
+    if (!line.empty()) waiting_.lines.emplace_back(line);
+    for (const LifeEvent& event : update.events) waiting_.events.emplace_back(update.scan, event);
+}
+
+void Project::add(const EditRecord& edit) { waiting_.edits.push_back(edit); }
+
+void Project::save(Follower& follower, const LogPosition& position) {
+    Statement line(database_, "INSERT INTO updates(line) VALUES(?)");
+    for (const std::string& text : waiting_.lines) line.bind(1, std::string_view(text)).run();
+    Statement event(database_,
+                    "INSERT INTO lineage(scan, event, room, other, reason) VALUES(?, ?, ?, ?, ?)");
+    for (const auto& [scan, life] : waiting_.events) {
+        event.bind(1, static_cast<std::int64_t>(scan))
+            .bind(2, std::string_view(io::name_of(life.life)))
+            .bind(3, static_cast<std::int64_t>(index(life.room)))
+            .bind(4, static_cast<std::int64_t>(index(life.other)))
+            .bind(5, std::string_view(life.reason))
+            .run();
+    }
+    Statement edit(database_,
+                   "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
+                   "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const EditRecord& one : waiting_.edits) {
+        edit.bind(1, static_cast<std::int64_t>(follower.num_scans()))
+            .bind(2, std::string_view(one.kind))
+            .bind(3, static_cast<std::int64_t>(index(one.room)))
+            .bind(4, static_cast<std::int64_t>(index(one.other)))
+            .bind(5, std::string_view(one.name))
+            .bind(6, std::int64_t{one.line.from.x})
+            .bind(7, std::int64_t{one.line.from.y})
+            .bind(8, std::int64_t{one.line.to.x})
+            .bind(9, std::int64_t{one.line.to.y})
+            .run();
+    }
+    write_state(database_, follower.state_since_save());
+    write_position(database_, position);
+    database_.run("COMMIT");
+    waiting_ = {};
+    position_ = position;
+    database_.run("BEGIN IMMEDIATE");
+}
+
+}  // namespace quadcut::store

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quadcut/segment/follow.hpp"
+#include "store/database.hpp"
+
+namespace quadcut::store {
+
+/// The log that a project follows, and how far.
+struct LogPosition {
+    std::string log;
+    std::uint64_t log_hash = 0;
+    /// Scans of the log that are done, those left out included.
+    std::size_t num_done = 0;
+    std::size_t num_left_out = 0;
+    /// Why the first of these was left out.
+    std::string first_left_out;
+    bool is_finished = false;
+};
+
+/// What people changed: a row that stays.
+struct EditRecord {
+    /// rename, merge, split, lock
+    std::string kind;
+    RoomId room{};
+    RoomId other{};
+    std::string name;
+    SplitLine line;
+};
+
+/// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
+/// edits, options and the position in the log; docs/formats.md describes its tables. What is saved
+/// is saved as a whole: a program killed at any moment leaves the last save. One program writes at
+/// a time, others may read. All errors are InputError, name the file, and leave it valid.
+class Project {
+public:
+    /// A new project, at a name that is free, written beside it and renamed.
+    [[nodiscard]] static Project create(const std::filesystem::path& path,
+                                        const FollowOptions& options, const LogPosition& position);
+    /// Opens one; refused: no project file, one of a newer version, one that another program
+    /// writes to.
+    Project(const std::filesystem::path& path, Access access);
+
+    [[nodiscard]] const FollowOptions& options() const { return options_; }
+    [[nodiscard]] const LogPosition& position() const { return position_; }
+    /// The follower as it was when last saved. O(project).
+    [[nodiscard]] Follower follower() const;
+    /// The lines of updates.jsonl so far.
+    [[nodiscard]] std::string update_lines() const;
+    [[nodiscard]] std::vector<EditRecord> edits() const;
+
+    /// Adds to what the next save writes. An empty line is none.
+    void add(const FollowUpdate& update, std::string_view line);
+    void add(const EditRecord& edit);
+    /// Writes all that has changed since the last save. O(changes).
+    void save(Follower& follower, const LogPosition& position);
+
+    /// "ok", or what is wrong with the file.
+    [[nodiscard]] std::string integrity() const { return database_.integrity(); }
+    /// No file of more pages than this; for tests of a full disk.
+    void limit_pages(std::int64_t pages) { database_.limit_pages(pages); }
+
+private:
+    void check_form() const;
+    void read_options();
+    void read_position();
+
+    Database database_;
+    FollowOptions options_;
+    LogPosition position_;
+    struct Waiting {
+        std::vector<std::string> lines;
+        std::vector<std::pair<std::size_t, LifeEvent>> events;
+        std::vector<EditRecord> edits;
+    };
+    Waiting waiting_;
+};
+
+}  // namespace quadcut::store

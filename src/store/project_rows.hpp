@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+
+#include "quadcut/segment/follow_state.hpp"
+#include "store/database.hpp"
+
+namespace quadcut::store {
+
+inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
+
+/// A cell whose x is in the given column and whose y is in the next.
+[[nodiscard]] Cell cell_at(const Statement& row, int column);
+
+/// Writes what a follower remembers: tiles are added to those that are there, all else replaces
+/// what was. @pre a transaction is open.
+void write_state(const Database& database, const FollowerState& state);
+/// Reads it again, with all tiles. Throws InputError for rows that cannot be.
+[[nodiscard]] FollowerState read_state(const Database& database);
+
+}  // namespace quadcut::store

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "store/schema.hpp"
+
+#include <array>
+
+namespace quadcut::store {
+
+std::span<const Table> tables() {
+    static constexpr std::array<Table, 10> kTables{{
+        {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
+        {"doors",
+         "CREATE TABLE doors(seq INTEGER PRIMARY KEY, room_a INTEGER, room_b INTEGER, "
+         "ax INTEGER, ay INTEGER, bx INTEGER, by INTEGER, clearance_m REAL)"},
+        {"edits",
+         "CREATE TABLE edits(seq INTEGER PRIMARY KEY, scan INTEGER, kind TEXT, room INTEGER, "
+         "other INTEGER, name TEXT, from_x INTEGER, from_y INTEGER, to_x INTEGER, to_y INTEGER)"},
+        {"lineage",
+         "CREATE TABLE lineage(seq INTEGER PRIMARY KEY, scan INTEGER, event TEXT, room INTEGER, "
+         "other INTEGER, reason TEXT)"},
+        {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID"},
+        {"options", "CREATE TABLE options(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID"},
+        {"rooms",
+         "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merged INTEGER, locked INTEGER, "
+         "area_m2 REAL, peak_m REAL, low_x INTEGER, low_y INTEGER, high_x INTEGER, "
+         "high_y INTEGER, announced_m2 REAL, refined_at INTEGER)"},
+        {"split_lines",
+         "CREATE TABLE split_lines(seq INTEGER PRIMARY KEY, from_x INTEGER, from_y INTEGER, "
+         "to_x INTEGER, to_y INTEGER)"},
+        {"tiles",
+         "CREATE TABLE tiles(x INTEGER, y INTEGER, log_odds BLOB, rooms BLOB, "
+         "cut_free INTEGER, PRIMARY KEY(y, x)) WITHOUT ROWID"},
+        {"updates", "CREATE TABLE updates(seq INTEGER PRIMARY KEY, line TEXT)"},
+    }};
+    return kTables;
+}
+
+}  // namespace quadcut::store

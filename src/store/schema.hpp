@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace quadcut::store {
+
+/// "QCUT".
+inline constexpr std::int64_t kApplicationId = 0x51435554;
+inline constexpr std::int64_t kFormatVersion = 1;
+
+struct Table {
+    std::string_view name;
+    std::string_view sql;
+};
+
+/// All tables, by name. A file with any other is no project file.
+[[nodiscard]] std::span<const Table> tables();
+
+}  // namespace quadcut::store
