@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -71,6 +72,8 @@ int run_safely(std::span<const std::string> words) {
 }  // namespace quadcut
 
 int main(int argc, char** argv) {
+    // A file that grows past the limit of the user is a write that fails, and says so.
+    std::signal(SIGXFSZ, SIG_IGN);
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
     return quadcut::run_safely(words);
 }

@@ -14,35 +14,18 @@
 #include "io/score.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/segment.hpp"
-#include "sim/building.hpp"
-#include "sim/robot.hpp"
+#include "tests/unit/segment/followed.hpp"
 
 namespace quadcut {
 namespace {
 
-sim::Building small_building(std::uint64_t seed) {
-    sim::BuildingOptions options;
-    options.seed = seed;
-    options.num_rooms = 8;
-    options.furniture = 0.3;
-    return sim::generate_building(options);
-}
-
-std::vector<Scan> scans_in(const sim::Building& building) {
-    sim::RobotOptions robot;
-    robot.seed = 1;
-    return sim::explore(building.map, sim::start_pose(building), robot).scans;
-}
+using test::ids_of;
+using test::scans_in;
+using test::small_building;
 
 io::LabelImage image_of(const Raster<std::uint16_t>& labels) {
     const std::vector<std::uint32_t> values(labels.values.begin(), labels.values.end());
     return io::number_regions(labels.width, labels.height, values);
-}
-
-std::set<RoomId> ids_of(const Segmentation& rooms) {
-    std::set<RoomId> ids;
-    for (const Room& room : rooms.rooms) ids.insert(room.id);
-    return ids;
 }
 
 TEST(Follower, EndsWithTheRoomsOfItsMap) {
@@ -125,11 +108,7 @@ TEST(Follower, NothingSeenIsNoRoom) {
 }
 
 TEST(Follower, AWallThatGoesUpSplitsARoomAndOneThatGoesDownMergesThem) {
-    // 12 x 5 m, free; then a wall with a door in its middle; then without it again.
-    Raster<CellState> states({0, 0}, 260, 120, CellState::occupied);
-    for (std::int32_t y = 10; y < 110; ++y) {
-        for (std::int32_t x = 10; x < 250; ++x) states.at({x, y}) = CellState::free;
-    }
+    const Raster<CellState> states = test::bare_hall();
     Follower follower;
     follower.update_cells(states);
     ASSERT_EQ(follower.num_rooms(), 1U);

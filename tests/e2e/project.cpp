@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "store/project.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "quadcut/base/random.hpp"
+#include "tests/e2e/program.hpp"
+
+namespace quadcut::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+/// A robot's log of a small building.
+std::string simulated_log(const Folder& folder, const std::string& seed) {
+    run_quadcut({"simulate", "-o", folder / "sim", "--seed", seed, "--rooms", "6"});
+    return folder / "sim/robot.log";
+}
+
+/// Files without their times.
+std::map<std::string, std::string> untimed_files(const std::string& folder) {
+    static const std::regex kTimes(R"("[a-z_]*_ms": ?(\{[^}]*\}|[^,}\n]*))");
+    std::map<std::string, std::string> files;
+    for (const auto& [name, bytes] : files_below(folder)) {
+        files[name] = std::regex_replace(bytes, kTimes, "");
+    }
+    return files;
+}
+
+/// Runs quadcut and kills it after some time; whether it had ended by itself.
+bool run_and_kill(const std::vector<std::string>& arguments, double after_s) {
+    std::vector<std::string> words{"-s", "KILL", std::to_string(after_s), QUADCUT_BINARY};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_process("/usr/bin/timeout", words).exit_code == 0;
+}
+
+TEST(ProjectFile, SurvivesBeingKilledAtAnyMoment) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(run_quadcut({"follow", log, "-o", folder / "whole", "--quiet"}).exit_code, 0);
+    const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+    const std::string project = folder / "p.quadcut";
+    const std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
+                                          "--project", project, "--quiet"};
+    Random random(static_cast<std::uint64_t>(start.time_since_epoch().count()));
+    std::size_t num_done = 0;
+    for (int i = 0; i < 10; ++i) {
+        if (run_and_kill(follow, random.uniform(0.001, 0.8 * whole.count()))) break;
+        if (!std::filesystem::exists(project)) continue;
+        const store::Project saved(project, store::Access::read);
+        EXPECT_EQ(saved.integrity(), "ok");
+        EXPECT_GE(saved.position().num_done, num_done) << "what was saved is never lost";
+        num_done = saved.position().num_done;
+        static_cast<void>(saved.follower());
+    }
+    const Outcome outcome = run_quadcut(follow);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(untimed_files(folder / "out"), untimed_files(folder / "whole"));
+    for (const auto& [name, bytes] : files_below(folder / "")) {
+        EXPECT_EQ(name.find("p.quadcut.new"), std::string::npos) << "left behind";
+    }
+}
+
+TEST(ProjectFile, EditsAndLocate) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    const std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
+                                          "--project", project, "--quiet"};
+    ASSERT_EQ(run_quadcut(follow).exit_code, 0);
+    // Every label point lies in its room, told from the result and from the project.
+    const Json rooms = Json::parse(read_bytes(folder / "out/rooms.geojson")).at("features");
+    std::string id;
+    std::string other;
+    std::vector<std::string> at;
+    for (const Json& feature : rooms) {
+        const Json& properties = feature.at("properties");
+        if (properties.at("type") != "room") continue;
+        const Json& point = properties.at("label_point");
+        at = {std::to_string(point[0].get<double>()), std::to_string(point[1].get<double>())};
+        id = std::to_string(properties.at("id").get<int>());
+        const std::string expected = id + " " + properties.at("name").get<std::string>() + "\n";
+        EXPECT_EQ(run_quadcut({"locate", folder / "out", at[0], at[1]}).out, expected);
+        EXPECT_EQ(run_quadcut({"locate", project, at[0], at[1]}).out, expected);
+    }
+    ASSERT_FALSE(id.empty());
+    EXPECT_EQ(run_quadcut({"edit", project, "rename", id, "Kitchen"}).exit_code, 0);
+    EXPECT_EQ(run_quadcut({"locate", project, at[0], at[1]}).out, id + " Kitchen\n");
+    EXPECT_EQ(run_quadcut({"edit", project, "lock", "Kitchen"}).exit_code, 0);
+    ASSERT_EQ(run_quadcut(follow).exit_code, 0);
+    EXPECT_THAT(read_bytes(folder / "out/rooms.yaml"), HasSubstr("Kitchen"));
+    EXPECT_EQ(run_quadcut({"locate", folder / "out", "-1000", "1000"}).out, "no room\n");
+    EXPECT_EQ(run_quadcut({"locate", project, "-1000", "1000"}).out, "no room\n");
+
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"rename", "4000", "x"},
+                                               {"rename", id},
+                                               {"merge", id, id},
+                                               {"split", "0", "0", "0", "zero"},
+                                               {"split", "1", "1"},
+                                               {"lock", "Cellar"},
+                                               {"paint", id}}) {
+        std::vector<std::string> command{"edit", project};
+        command.insert(command.end(), words.begin(), words.end());
+        EXPECT_EQ(run_quadcut(command).exit_code, 2) << words.front();
+    }
+    EXPECT_EQ(run_quadcut({"locate", project, "nan", "0"}).exit_code, 2);
+    EXPECT_EQ(run_quadcut({"locate", folder / "none", "0", "0"}).exit_code, 2);
+}
+
+TEST(ProjectFile, BelongsToOneLogAndOneSetOfOptions) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
+                                    "--project", project, "--quiet"};
+    ASSERT_EQ(run_quadcut(follow).exit_code, 0);
+    const std::string before = read_bytes(project);
+    std::vector<std::string> other = follow;
+    other[1] = folder.write("other.log", read_bytes(log) + "# more\n");
+    EXPECT_THAT(run_quadcut(other).err, HasSubstr("follows another log"));
+    std::vector<std::string> wider = follow;
+    wider.insert(wider.end(), {"--door-width", "2"});
+    EXPECT_THAT(run_quadcut(wider).err, HasSubstr("was begun with door_width = 4"));
+    std::vector<std::string> finer = follow;
+    finer.insert(finer.end(), {"--resolution", "0.1"});
+    EXPECT_EQ(run_quadcut(finer).exit_code, 2);
+    EXPECT_EQ(read_bytes(project), before);
+    follow[5] = folder.write("text", "no project");
+    EXPECT_EQ(run_quadcut(follow).exit_code, 2);
+    EXPECT_EQ(read_bytes(folder / "text"), "no project");
+}
+
+TEST(ProjectFile, AFullDiskIsAnErrorAndWhatWasSavedStays) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    const std::string command = "ulimit -f 100; exec \"$0\" \"$@\"";
+    const Outcome outcome = run_process("/bin/sh", {"-c", command, QUADCUT_BINARY, "follow", log,
+                                                    "-o", folder / "out", "--project", project});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("p.quadcut"));
+    EXPECT_THAT(outcome.err, HasSubstr("the file holds what was saved before"));
+    EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+    // With room again it goes on.
+    EXPECT_EQ(run_quadcut({"follow", log, "-o", folder / "out", "--project", project, "--quiet"})
+                  .exit_code,
+              0);
+}
+
+TEST(ProjectFile, ALogThatEndsInTheMiddleOfALineIsFollowedUpToThere) {
+    const Folder folder;
+    const std::string bytes = read_bytes(simulated_log(folder, "2"));
+    const std::string log = folder.write("cut.log", bytes.substr(0, bytes.size() / 3));
+    const Outcome outcome = run_quadcut({"follow", log, "-o", folder / "out"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("cut.log"));
+}
+
+}  // namespace
+}  // namespace quadcut::test
