@@ -123,6 +123,9 @@ void write_rest(const Database& database, const FollowerState& state) {
         bind_cell(change, 1, tile);
         change.bind(3, signed_count(count)).run();
     }
+    Statement(database, "DELETE FROM seen").run();
+    Statement seen(database, "INSERT INTO seen VALUES(?)");
+    for (const std::uint32_t room : state.seen) seen.bind(1, std::int64_t{room}).run();
     Statement(database, "DELETE FROM split_lines").run();
     Statement split(database,
                     "INSERT INTO split_lines(from_x, from_y, to_x, to_y) VALUES(?, ?, ?, ?)");
@@ -224,6 +227,10 @@ void read_lists(const Database& database, FollowerState& state) {
         state.changed_tiles.emplace_back(
             cell_at(change, 0),
             static_cast<std::size_t>(change.integer(2, 1, std::int64_t{kTileCells})));
+    }
+    Statement seen(database, "SELECT room FROM seen");
+    while (seen.step()) {
+        state.seen.insert(static_cast<std::uint32_t>(seen.integer(0, 1, kMaxRoom)));
     }
     Statement split(database, "SELECT from_x, from_y, to_x, to_y FROM split_lines ORDER BY seq");
     while (split.step()) state.split_lines.push_back({cell_at(split, 0), cell_at(split, 2)});

@@ -7,7 +7,7 @@
 namespace quadcut::store {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 10> kTables{{
+    static constexpr std::array<Table, 11> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
         {"doors",
          "CREATE TABLE doors(seq INTEGER PRIMARY KEY, room_a INTEGER, room_b INTEGER, "
@@ -24,6 +24,7 @@ std::span<const Table> tables() {
          "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merged INTEGER, locked INTEGER, "
          "area_m2 REAL, peak_m REAL, low_x INTEGER, low_y INTEGER, high_x INTEGER, "
          "high_y INTEGER, announced_m2 REAL, refined_at INTEGER)"},
+        {"seen", "CREATE TABLE seen(room INTEGER PRIMARY KEY)"},
         {"split_lines",
          "CREATE TABLE split_lines(seq INTEGER PRIMARY KEY, from_x INTEGER, from_y INTEGER, "
          "to_x INTEGER, to_y INTEGER)"},

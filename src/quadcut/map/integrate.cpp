@@ -176,6 +176,8 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
     MapUpdate update = map.commit();
     const Box box = box_of(evidence);
     if (!box.is_empty()) update.covering = map.block_around(box.low, box.high);
+    update.observed.reserve(evidence.size());
+    for (const TileEvidence& one : evidence) update.observed.push_back(one.tile);
     return update;
 }
 

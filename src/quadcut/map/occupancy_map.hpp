@@ -32,6 +32,8 @@ struct MapUpdate {
     std::optional<Root> covering;
     /// The 8 x 8-cell tiles whose log-odds may have changed, in Z order.
     std::vector<Cell> written;
+    /// The tiles that a scan speaks of, changed or not, row by row.
+    std::vector<Cell> observed;
 };
 
 /// The quadtree map: log-odds of being occupied in square cells, and the tree of maximal aligned

@@ -74,7 +74,13 @@ std::uint64_t free_rows(const Tile& tile) {
 
 }  // namespace
 
-Follower::Follower(const FollowOptions& options) : options_(options), map_(options.resolution_m) {}
+FollowOptions with_preset(FollowOptions options) {
+    if (options.segment.preset == Preset::paper) options.integrate = latest_scan_wins();
+    return options;
+}
+
+Follower::Follower(const FollowOptions& options)
+    : options_(with_preset(options)), map_(options.resolution_m) {}
 
 FollowUpdate Follower::add_scan(const Scan& scan) {
     FollowUpdate update;
@@ -93,6 +99,7 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
                     static_cast<double>(map_.num_nodes());
     }
     note_changes(change);
+    if (!change.written.empty()) note_seen(change.observed);
     const double changed_m2 =
         static_cast<double>(num_changed_) * options_.resolution_m * options_.resolution_m;
     if (changed_m2 >= (rooms_.empty() ? options_.first_cut_m2 : options_.min_change_m2)) {
@@ -119,6 +126,7 @@ FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
     update.nodes_touched = change.nodes_touched;
     update.nodes_rebuilt = change.nodes_rebuilt;
     note_changes(change);
+    note_seen(change.written);
     cut_again(options_.min_patch_m2, update);
     update.num_leaves = map_.num_leaves();
     update.num_rooms = rooms_.size();
@@ -177,6 +185,11 @@ void Follower::require_room_for(Box cells) const {
 void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
     const auto start = std::chrono::steady_clock::now();
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    if (options_.segment.preset == Preset::paper) {
+        if (num_changed_ > 0) cut_seen_submaps(update);
+        update.segment_ms = ms_since(start);
+        return;
+    }
     for (const auto& [box, count] : patches(changed_tiles_, options_.resolution_m)) {
         if (static_cast<double>(count) * cell_m2 < min_patch_m2) continue;
         cut_window(box, update);

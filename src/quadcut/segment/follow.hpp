@@ -21,6 +21,7 @@ namespace quadcut {
 
 struct FollowOptions {
     SegmentOptions segment;
+    /// Preset `paper` takes latest_scan_wins() instead.
     IntegrateOptions integrate;
     double resolution_m = 0.05;
     /// Rooms are cut again when so much free space has changed.
@@ -30,6 +31,9 @@ struct FollowOptions {
     /// What has changed by less stays as it is, unless finish() is called.
     double min_patch_m2 = 0.05;
 };
+
+/// The options as a Follower takes them.
+[[nodiscard]] FollowOptions with_preset(FollowOptions options);
 
 enum class RoomLife : std::uint8_t { born, grown, split, merged, retired };
 
@@ -126,8 +130,12 @@ private:
     };
 
     void note_changes(const MapUpdate& update);
+    void note_seen(const std::vector<Cell>& tiles);
     void cut_again(double min_patch_m2, FollowUpdate& update);
     void cut_window(const Box& changed, FollowUpdate& update);
+    void cut_seen_submaps(FollowUpdate& update);
+    /// Gives the regions of a window their ids, and all that follows from it.
+    void take_over(const LocalWindow& window, const LocalCut& cut, FollowUpdate& update);
     [[nodiscard]] Box cells_to_decide(const Box& changed) const;
     [[nodiscard]] LocalWindow read_window(const Box& decided) const;
     BeyondWindow look_beyond(const LocalWindow& window, std::uint32_t room,
@@ -174,6 +182,8 @@ private:
     std::uint32_t next_id_ = 1;
     std::size_t num_cuts_ = 0;
     std::size_t changed_at_ = 0;
+    /// Preset `paper`: submaps seen with something new since the last cut.
+    std::set<std::uint32_t> seen_;
 };
 
 }  // namespace quadcut

@@ -23,7 +23,7 @@ bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(c
 }  // namespace
 
 Follower::Follower(const FollowOptions& options, const FollowerState& state)
-    : options_(options),
+    : options_(with_preset(options)),
       map_(empty_map(options, state)),
       num_scans_(state.num_scans),
       written_(state.written),
@@ -31,7 +31,9 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
       openings_(state.openings),
       next_id_(state.next_id),
       num_cuts_(state.num_cuts),
-      changed_at_(state.changed_at) {
+      changed_at_(state.changed_at),
+      seen_(state.seen) {
+    std::erase_if(seen_, [&](std::uint32_t room) { return rooms_.count(room) == 0; });
     for (auto& [id, room] : rooms_) {
         if (id == 0 || id >= next_id_)
             throw InputError("room " + std::to_string(id) + " has no id");
@@ -104,6 +106,7 @@ FollowerState Follower::state_since_save() {
         state.changed_tiles.push_back({{at.first, at.second}, count});
     }
     state.split_lines = split_lines_;
+    state.seen = seen_;
     for (const Cell tile : cells_.take_marked()) {
         state.tiles.push_back({tile, map_.tile(tile), cells_.tile(tile)});
     }

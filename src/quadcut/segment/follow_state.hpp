@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,8 @@ struct FollowerState {
     /// Tiles with changes that are not cut yet, and the number of changed cells.
     std::vector<std::pair<Cell, std::size_t>> changed_tiles;
     std::vector<SplitLine> split_lines;
+    /// Submaps seen with something new since the last cut.
+    std::set<std::uint32_t> seen;
     std::vector<FollowedTile> tiles;
 };
 

@@ -93,6 +93,10 @@ void Follower::cut_window(const Box& changed, FollowUpdate& update) {
         },
         executor);
     fill_split_lines(window, cut);
+    take_over(window, cut, update);
+}
+
+void Follower::take_over(const LocalWindow& window, const LocalCut& cut, FollowUpdate& update) {
     update.graph_nodes = std::max(update.graph_nodes, cut.num_nodes);
     const Overlaps overlaps = find_overlaps(window, cut);
     const std::vector<std::uint32_t> room_of_region =

@@ -12,50 +12,23 @@
 #include "quadcut/graph/visibility.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/map/leaf_table.hpp"
-#include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/segment/basins.hpp"
 #include "quadcut/segment/cut.hpp"
 #include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/doors.hpp"
+#include "quadcut/segment/find_submaps.hpp"
+#include "quadcut/segment/free_leaves.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/open_space.hpp"
 #include "quadcut/segment/region_graph.hpp"
 #include "quadcut/segment/rooms.hpp"
 #include "quadcut/segment/snap.hpp"
-#include "quadcut/segment/submaps.hpp"
-#include "quadcut/spectral/null_space.hpp"
 
 namespace quadcut {
 namespace {
 
 /// Narrower openings are gaps in the map.
 constexpr double kMinDoorM = 0.3;
-
-/// The quadtree's leaves, and which of them are free: the nodes of the graph.
-struct FreeLeaves {
-    LeafTable table;
-    std::vector<LeafId> nodes;
-};
-
-FreeLeaves free_leaves(const GridMap& map) {
-    const OccupancyMap tree = OccupancyMap::from_grid(map);
-    FreeLeaves leaves{LeafTable(tree.leaves(), tree.root()), {}};
-    for (std::size_t i = 0; i < leaves.table.leaves().size(); ++i) {
-        if (leaves.table.leaves()[i].state == CellState::free) {
-            leaves.nodes.push_back(LeafId{static_cast<std::uint32_t>(i)});
-        }
-    }
-    return leaves;
-}
-
-void paint_leaf(const Leaf& leaf, std::uint32_t label, Raster<std::uint32_t>& labels) {
-    for (std::int32_t y = 0; y < leaf.side_cells(); ++y) {
-        for (std::int32_t x = 0; x < leaf.side_cells(); ++x) {
-            labels.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) = label;
-        }
-    }
-}
 
 /// A map whose free cells are the open ones.
 GridMap map_of(const Raster<std::uint8_t>& open, double resolution_m) {
@@ -203,34 +176,6 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     return result;
 }
 
-/// Components of the paper's graph with at least the given area; nodes ascending.
-std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
-                                                     const PaperOptions& options) {
-    const std::vector<std::uint32_t> component =
-        options.component_search == ComponentSearch::traversal
-            ? connected_components(graph)
-            : components_from_null_space(graph, options.laplacian);
-    const std::size_t count =
-        component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
-    std::vector<double> area_m2(count, 0.0);
-    std::vector<double> largest_leaf_m2(count, 0.0);
-    for (std::size_t node = 0; node < component.size(); ++node) {
-        area_m2[component[node]] += graph.area_m2[node];
-        double& largest = largest_leaf_m2[component[node]];
-        largest = std::max(largest, graph.area_m2[node]);
-    }
-    // Departs from the paper: a long thin sliver, as scans leave along walls, is large enough but
-    // no place. Each would take one of the smallest eigenvectors away from the building.
-    std::vector<std::uint32_t> nodes;
-    for (std::uint32_t node = 0; node < component.size(); ++node) {
-        if (area_m2[component[node]] >= options.min_component_m2 &&
-            largest_leaf_m2[component[node]] >= options.min_leaf_m * options.min_leaf_m) {
-            nodes.push_back(node);
-        }
-    }
-    return nodes;
-}
-
 /// Inside and outside: a submap that the trajectory does not cross is no part of the map.
 Raster<std::uint32_t> paint_submaps(const GridMap& map, const FreeLeaves& leaves,
                                     std::span<const std::uint32_t> nodes, const Pieces& pieces,
@@ -261,31 +206,11 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     const Graph graph = build_graph(
         sight_edges(leaves.table, leaves.nodes, map.resolution_m, options.self_loops, executor),
         leaf_areas_m2(leaves.table, leaves.nodes, map.resolution_m));
-    // Small connected components are eliminated.
-    const std::vector<std::uint32_t> nodes = nodes_of_large_components(graph, options);
-    const Graph region = induced_subgraph(graph, nodes);
-    // Eqs. (4) to (9): the smallest eigenvectors, clustered.
-    CutOptions cut_options;
-    cut_options.laplacian = options.laplacian;
-    cut_options.num_pieces = options.num_submaps;
-    cut_options.max_pieces = options.max_submaps;
-    cut_options.min_silhouette = options.min_silhouette;
-    cut_options.row_scaling = options.row_scaling;
-    cut_options.seed = seed;
-    const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2, options.max_route_edges,
-                              options.min_relation_per_m};
-    // Division and fusion between submaps; a number that is given is cut to.
-    Pieces pieces;
-    if (options.num_submaps != 0) {
-        pieces = cut_into(region, options.num_submaps, limits, cut_options, clock, executor);
-    } else {
-        pieces = cut(region, cut_options, clock, executor);
-        pieces = divide_submaps(region, std::move(pieces), limits, cut_options, clock, executor);
-        clock.begin("fuse");
-        pieces = fuse_submaps(region, std::move(pieces), limits);
-    }
-    result.report.eigen = pieces.eigen;
-    Raster<std::uint32_t> labels = paint_submaps(map, leaves, nodes, pieces, trajectory);
+    // Eqs. (4) to (9): the smallest eigenvectors, clustered; division and fusion between submaps.
+    const Submaps submaps = find_submaps(graph, options, seed, clock, executor);
+    result.report.eigen = submaps.pieces.eigen;
+    Raster<std::uint32_t> labels =
+        paint_submaps(map, leaves, submaps.nodes, submaps.pieces, trajectory);
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = num_edges(graph);
