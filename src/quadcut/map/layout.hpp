@@ -31,8 +31,20 @@ struct Layout {
     [[nodiscard]] std::int32_t height() const { return is_transposed ? box.width() : box.height(); }
 };
 
-/// The standard layout of what is not 0: its box with a margin of one cell, the longer spread and
-/// the longer tails along the positive axes. An empty mask has an empty box. O(cells).
+/// Sums over cells of the powers 0 to 3 of one coordinate.
+struct AxisMoments {
+    double n = 0.0;
+    double s1 = 0.0;
+    double s2 = 0.0;
+    double s3 = 0.0;
+};
+
+/// How cells with these moments are turned: the longer spread and the longer tails along the
+/// positive axes. The box is empty.
+[[nodiscard]] Layout standard_orientation(const AxisMoments& x, const AxisMoments& y);
+
+/// The standard layout of what is not 0: its box with a margin of one cell, turned by
+/// standard_orientation(). An empty mask has an empty box. O(cells).
 [[nodiscard]] Layout standard_layout(const Raster<std::uint8_t>& mask);
 
 /// The raster in the layout, from cell (0, 0) on; `outside` where the box reaches beyond. O(box).

@@ -68,11 +68,11 @@ Box cells_of_tiles(const Box& tiles) {
     return {first_cell_of(tiles.low), {high.x + kTileSide - 1, high.y + kTileSide - 1}};
 }
 
+}  // namespace
+
 std::uint64_t free_rows(const Tile& tile) {
     return rows_where(tile, [](int log_odds) { return log_odds < 0; });
 }
-
-}  // namespace
 
 FollowOptions with_preset(FollowOptions options) {
     if (options.segment.preset == Preset::paper) options.integrate = latest_scan_wins();
@@ -159,7 +159,9 @@ void Follower::note_changes(const MapUpdate& update) {
     for (const Cell tile : update.written) {
         cells_.mark(tile);
         written_.include(cells_of_tiles({tile, tile}));
-        const std::uint64_t changed = free_rows(map_.tile(tile)) ^ cells_.tile(tile).cut_free;
+        const std::uint64_t free = free_rows(map_.tile(tile));
+        cells_.note_free(tile, std::popcount(free));
+        const std::uint64_t changed = free ^ cells_.tile(tile).cut_free;
         const auto count = static_cast<std::size_t>(std::popcount(changed));
         const auto found = changed_tiles_.find({tile.x, tile.y});
         if (found != changed_tiles_.end()) {

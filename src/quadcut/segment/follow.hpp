@@ -35,6 +35,9 @@ struct FollowOptions {
 /// The options as a Follower takes them.
 [[nodiscard]] FollowOptions with_preset(FollowOptions options);
 
+/// The free cells of a tile, bit 8 y + x.
+[[nodiscard]] std::uint64_t free_rows(const Tile& tile);
+
 enum class RoomLife : std::uint8_t { born, grown, split, merged, retired };
 
 /// What happened to a room, and why.

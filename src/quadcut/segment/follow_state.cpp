@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // What a follower remembers, and how it goes on from there.
+#include <bit>
 #include <string>
 
 #include "quadcut/base/error.hpp"
@@ -65,6 +66,7 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
         }
         map_.set_tile(tile.tile, tile.log_odds);
         cells_.set_tile(tile.tile, tile.rooms);
+        cells_.note_free(tile.tile, std::popcount(free_rows(tile.log_odds)));
     }
     map_.commit();
     if (state.root && map_.root() != *state.root) throw InputError("tiles lie outside of the map");

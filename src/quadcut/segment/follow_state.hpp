@@ -28,7 +28,7 @@ struct FollowedRoom {
     /// Its cells are its own whatever is seen there.
     bool is_locked = false;
     std::size_t num_cells = 0;
-    /// The largest clearance in it.
+    /// The largest clearance that was found in it.
     double peak_m = 0.0;
     /// Holds all its cells; may be larger.
     Box box;

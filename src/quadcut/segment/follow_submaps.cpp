@@ -57,7 +57,7 @@ void Follower::cut_seen_submaps(FollowUpdate& update) {
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     const LocalCut cut = cut_submaps(window, options_.segment, executor);
     outside_.clear();
-    take_over({window.states, window.submaps, box, options_.resolution_m, {}, {}}, cut, update);
+    take_over({window.states, window.submaps, box, options_.resolution_m, {}, {}, {}}, cut, update);
     seen_.clear();
 }
 

@@ -11,15 +11,18 @@
 namespace quadcut {
 namespace {
 
+/// As in RegionGraph: a robot fits through, to somewhere.
+constexpr float kFitsM = 0.25F;
+constexpr double kPlaceM2 = 2.0;
 /// A room has grown when it is so much larger than when that was last said.
 constexpr double kGrownShare = 1.25;
 constexpr double kGrownM2 = 2.0;
 /// Rooms with cells this near to a change are cut again, as far as this from it.
 constexpr double kTouchedM = 1.0;
 constexpr double kFarM = 20.0;
-/// As in RegionGraph: a robot fits through, to somewhere.
-constexpr float kFitsM = 0.25F;
-constexpr double kPlaceM2 = 2.0;
+/// What lies farther than this from a cell plays next to no part in what is decided there.
+constexpr double kContextM = 10.0;
+constexpr double kNearM = 5.0;
 
 Box grown(const Box& box, double by_m, double resolution_m) {
     const auto cells = static_cast<std::int32_t>(std::ceil(by_m / resolution_m));
@@ -35,7 +38,7 @@ std::string square_metres(double area_m2) {
 /// All that changed and what the door model sees from there, and the rooms that it touches: what is
 /// known of them now may be more than when they were cut. Of a large room only what is near.
 Box Follower::cells_to_decide(const Box& changed) const {
-    const Box near = grown(changed, kDecidedReachM, options_.resolution_m);
+    const Box near = grown(changed, kNearM, options_.resolution_m);
     const Box touched = grown(changed, kTouchedM, options_.resolution_m);
     const Box far = grown(changed, kFarM, options_.resolution_m);
     std::set<std::uint32_t> rooms;
@@ -55,11 +58,12 @@ Box Follower::cells_to_decide(const Box& changed) const {
 
 /// Locked rooms and the lines where people cut are walls to what is around them.
 LocalWindow Follower::read_window(const Box& decided) const {
-    const Box box = grown(decided, kDecidedReachM, options_.resolution_m);
+    const Box box = grown(decided, kContextM, options_.resolution_m);
     LocalWindow window{Raster<CellState>(box, CellState::unknown),
                        Raster<std::uint32_t>(box),
                        decided,
                        options_.resolution_m,
+                       cells_.orientation(),
                        {},
                        {}};
     for (const auto& [number, room] : rooms_) {
@@ -87,10 +91,8 @@ void Follower::cut_window(const Box& changed, FollowUpdate& update) {
     outside_.clear();
     LocalCut cut = cut_locally(
         window, options_.segment,
-        [&](std::uint32_t room, const std::vector<Cell>& parts,
-            const Raster<std::uint32_t>& pieces) {
-            return look_beyond(window, room, parts, pieces);
-        },
+        [&](std::uint32_t room, const std::vector<Cell>& cells,
+            const Raster<std::uint32_t>& parts) { return look_beyond(window, room, cells, parts); },
         executor);
     fill_split_lines(window, cut);
     take_over(window, cut, update);
@@ -170,14 +172,12 @@ std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t 
         if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
         for (const auto& [own, far] :
              {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
-            if (cells_.room(own) != room || cells_.room(far) == room || cells_.room(far) == 0)
-                continue;
+            const std::uint32_t other = cells_.room(far);
+            if (cells_.room(own) != room || other == room || other == 0) continue;
             if (!outside.groups.values.empty() && outside.groups.at(own) != group + 1) continue;
-            const auto other = rooms_.find(cells_.room(far));
-            if (other == rooms_.end()) continue;
             const bool is_place =
-                static_cast<double>(other->second.num_cells) * cell_m2 >= kPlaceM2;
-            if (is_place) neighbours.insert(other->first);
+                static_cast<double>(rooms_.at(other).num_cells) * cell_m2 >= kPlaceM2;
+            if (is_place) neighbours.insert(other);
         }
     }
     return neighbours.size();
@@ -348,7 +348,8 @@ void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
         room.box.include({cell, cell});
     }
     for (std::uint32_t region = 1; region <= cut.num_regions; ++region) {
-        changed[room_of_region[region]].peak_m = cut.peak_m[region];
+        FollowedRoom& room = changed[room_of_region[region]];
+        room.peak_m = std::max(room.peak_m, cut.peak_m.empty() ? 0.0 : cut.peak_m[region]);
     }
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
     for (auto& [id, room] : changed) {

@@ -17,7 +17,6 @@ constexpr double kLogOddsOfGranularity = 12.0;
 /// scans much looks like a door that is none.
 constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
-constexpr double kDoor = 100.0;
 /// By the ratio, openings of no width are kept at every granularity.
 constexpr double kLogOddsOfRatio = 8.0;
 
@@ -43,7 +42,6 @@ void Fuser::push(std::uint32_t a, std::uint32_t b) {
 
 double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     const Saddle& saddle = regions_.saddles(a).at(b);
-    if (rule_.decided && !rule_.decided->contains(saddle.a)) return kDoor;
     const auto half_width_m = static_cast<double>(saddle.clearance_m);
     if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
     if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));

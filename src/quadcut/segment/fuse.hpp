@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <queue>
 #include <span>
 #include <tuple>
@@ -27,8 +26,6 @@ struct DoorRule {
     FuseRule by = FuseRule::model;
     /// By the ratio: what is narrower is a door.
     double min_ratio = 0.75;
-    /// Cuts with their saddle outside are kept.
-    std::optional<Box> decided = std::nullopt;
 };
 
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.

@@ -3,15 +3,12 @@
 #include "quadcut/segment/local_cut.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
-#include "quadcut/map/clearance.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
-#include "quadcut/segment/basins.hpp"
-#include "quadcut/segment/open_space.hpp"
-#include "quadcut/segment/region_graph.hpp"
 #include "quadcut/segment/rooms.hpp"
 
 namespace quadcut {
@@ -32,7 +29,7 @@ Raster<std::uint8_t> cells_to_cut(const LocalWindow& window, double min_componen
     is_kept.front() = false;
     for (std::size_t i = 0; i < states.values.size(); ++i) {
         const std::uint32_t part = parts.labels.values[i];
-        if (part != 0 && (window.rooms.values[i] != 0 || is_on_edge(states, i))) {
+        if (part != 0 && is_on_edge(states, i)) {
             is_kept[part] = true;
         }
     }
@@ -43,12 +40,12 @@ Raster<std::uint8_t> cells_to_cut(const LocalWindow& window, double min_componen
     return kept;
 }
 
-/// The room that most cells of each piece had; 0 where most had none.
-std::vector<std::uint32_t> majority_rooms(const Raster<std::uint32_t>& pieces, std::uint32_t count,
+/// The room that most cells of each part had; 0 where most had none.
+std::vector<std::uint32_t> majority_rooms(const Raster<std::uint32_t>& parts, std::uint32_t count,
                                           const Raster<std::uint32_t>& rooms) {
     std::vector<std::map<std::uint32_t, std::size_t>> shares(count + std::size_t{1});
-    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
-        if (pieces.values[i] != 0) ++shares[pieces.values[i]][rooms.values[i]];
+    for (std::size_t i = 0; i < parts.values.size(); ++i) {
+        if (parts.values[i] != 0) ++shares[parts.values[i]][rooms.values[i]];
     }
     std::vector<std::uint32_t> result;
     for (const auto& share : shares) {
@@ -60,159 +57,220 @@ std::vector<std::uint32_t> majority_rooms(const Raster<std::uint32_t>& pieces, s
     return result;
 }
 
-/// What is cut anew in pieces, and what is kept as parts of rooms.
-struct LocalPieces {
-    Raster<std::uint32_t> labels;
-    /// Fresh pieces come first, then the kept parts.
-    std::uint32_t num_fresh = 0;
-    std::vector<KeptPart> kept;
-    std::vector<std::uint32_t> earlier_room{0};
-
-    [[nodiscard]] std::uint32_t count() const {
-        return num_fresh + static_cast<std::uint32_t>(kept.size());
-    }
-};
-
-LocalPieces divide(const LocalWindow& window, const Basins& basins) {
-    std::vector<std::uint32_t> fresh_number(basins.count + std::size_t{1}, 0);
-    for (std::size_t i = 0; i < basins.labels.values.size(); ++i) {
-        const std::uint32_t basin = basins.labels.values[i];
-        if (basin != 0 && window.decided.contains(basins.labels.cell(i))) fresh_number[basin] = 1;
-    }
-    const std::vector<std::uint32_t> majority =
-        majority_rooms(basins.labels, basins.count, window.rooms);
-    LocalPieces pieces;
-    for (std::uint32_t basin = 1; basin <= basins.count; ++basin) {
-        if (fresh_number[basin] == 0) continue;
-        fresh_number[basin] = ++pieces.num_fresh;
-        pieces.earlier_room.push_back(majority[basin]);
-    }
-    // What is kept has its own room, and furniture that was none the room around it.
-    Raster<std::uint32_t> kept_room(basins.labels.origin, basins.labels.width,
-                                    basins.labels.height);
-    for (std::size_t i = 0; i < kept_room.values.size(); ++i) {
-        const std::uint32_t basin = basins.labels.values[i];
-        if (basin == 0 || fresh_number[basin] != 0) continue;
-        if (window.locked.count(window.rooms.values[i]) != 0) continue;
-        kept_room.values[i] =
-            window.rooms.values[i] != 0 ? window.rooms.values[i] : majority[basin];
-    }
-    const ConnectedParts parts = connected_parts(
-        kept_room, [&](std::size_t i) { return kept_room.values[i] != 0; },
-        [&](std::size_t i, std::size_t j) { return kept_room.values[i] == kept_room.values[j]; });
-    pieces.labels = parts.labels;
-    for (std::size_t i = 0; i < pieces.labels.values.size(); ++i) {
-        std::uint32_t& label = pieces.labels.values[i];
-        if (label == 0) {
-            label = fresh_number[basins.labels.values[i]];
-            continue;
-        }
-        if (label > pieces.kept.size()) {
-            pieces.kept.push_back({kept_room.values[i], pieces.labels.cell(i)});
-            pieces.earlier_room.push_back(kept_room.values[i]);
-        }
-        label += pieces.num_fresh;
-    }
-    return pieces;
-}
-
-/// Joins what was one room before and what is not to be decided again: parts that are connected
-/// beyond the window, pieces that meet outside of `decided`, and those that people made one.
-/// Returns which pieces go on beyond the window.
-std::vector<bool> join_what_was_one(const LocalWindow& window, const LocalPieces& pieces,
-                                    const AskBeyond& ask_beyond, RegionGraph& regions) {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of_room;
-    for (std::uint32_t k = 0; k < pieces.kept.size(); ++k) {
-        parts_of_room[pieces.kept[k].room].push_back(k);
-    }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::vector<bool> goes_on(pieces.count() + std::size_t{1}, false);
-    for (const auto& [room, parts] : parts_of_room) {
+/// What the pieces on the edge have beyond it; those that are connected there are one region.
+void add_beyond(const LocalWindow& window, const Raster<std::uint32_t>& pieces,
+                const AskBeyond& ask_beyond, RegionGraph& regions) {
+    const std::vector<std::uint32_t> room_of =
+        majority_rooms(pieces, regions.num_pieces(), window.rooms);
+    struct OnEdge {
+        std::vector<std::uint32_t> pieces;
         std::vector<Cell> cells;
-        for (const std::uint32_t k : parts) cells.push_back(pieces.kept[k].cell);
-        const BeyondWindow beyond = ask_beyond(room, cells, pieces.labels);
-        std::vector<std::uint32_t> first_of_group(beyond.groups.size(), 0);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::uint32_t piece = pieces.num_fresh + 1 + parts[i];
-            const std::size_t group = beyond.group_of_part[i];
-            goes_on[piece] = beyond.groups[group].area_m2 > 0.0;
-            if (first_of_group[group] == 0) {
-                first_of_group[group] = piece;
-                const Beyond& out = beyond.groups[group];
-                regions.add_beyond(piece, out.area_m2, out.peak_m, out.num_openings);
-            } else {
-                pairs.emplace_back(first_of_group[group], piece);
+    };
+    std::map<std::uint32_t, OnEdge> rooms;
+    std::vector<bool> seen(regions.num_pieces() + std::size_t{1}, false);
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        const std::uint32_t piece = pieces.values[i];
+        if (piece == 0 || seen[piece] || !is_on_edge(pieces, i)) continue;
+        const std::uint32_t room = room_of[piece];
+        if (room == 0 || window.rooms.values[i] != room) continue;
+        seen[piece] = true;
+        rooms[room].pieces.push_back(piece);
+        rooms[room].cells.push_back(pieces.cell(i));
+    }
+    for (const auto& [room, on_edge] : rooms) {
+        const BeyondWindow beyond = ask_beyond(room, on_edge.cells, pieces);
+        std::map<std::size_t, std::uint32_t> first;
+        for (std::size_t k = 0; k < on_edge.pieces.size(); ++k) {
+            const std::size_t group = beyond.group_of_part[k];
+            if (first.emplace(group, on_edge.pieces[k]).second) {
+                regions.add_beyond(on_edge.pieces[k], beyond.groups[group]);
             }
         }
+        for (std::size_t k = 0; k < on_edge.pieces.size(); ++k) {
+            const std::uint32_t a = regions.region_of(first.at(beyond.group_of_part[k]));
+            const std::uint32_t b = regions.region_of(on_edge.pieces[k]);
+            if (a != b) regions.join(a, b);
+        }
     }
-    const auto meet = [&](std::size_t i, std::size_t j) {
-        const std::uint32_t a = pieces.labels.values[i];
-        const std::uint32_t b = pieces.labels.values[j];
-        if (a == b || a == 0 || b == 0 || pieces.earlier_room[a] != pieces.earlier_room[b]) return;
-        const std::uint32_t room = pieces.earlier_room[a];
-        if (room == 0) return;
-        if (window.decided.contains(pieces.labels.cell(i)) && window.merged.count(room) == 0)
-            return;
-        pairs.emplace_back(std::max(a, b), std::min(a, b));
+}
+
+/// The window cut for itself; in its own cells.
+RoomsCut cut_window(const LocalWindow& window, const SegmentOptions& options,
+                    const AskBeyond& ask_beyond, const Executor& executor) {
+    Layout layout = window.orientation;
+    layout.box = window.states.box();
+    const Raster<std::uint8_t> kept =
+        laid_out<std::uint8_t>(cells_to_cut(window, options.rooms.min_component_m2), layout, 0);
+    Raster<std::uint8_t> free(window.states.origin, window.states.width, window.states.height);
+    for (std::size_t i = 0; i < free.values.size(); ++i) {
+        free.values[i] = window.states.values[i] == CellState::free ? 1 : 0;
+    }
+    StageClock clock;
+    SegmentReport report;
+    const auto free_laid = laid_out<std::uint8_t>(free, layout, 0);
+    const auto beyond = [&](const Raster<std::uint32_t>& laid_pieces, RegionGraph& regions) {
+        Raster<std::uint32_t> pieces(layout.box);
+        put_back(laid_pieces, layout, pieces);
+        add_beyond(window, pieces, ask_beyond, regions);
     };
-    const auto width = static_cast<std::size_t>(pieces.labels.width);
-    for (std::size_t i = 0; i < pieces.labels.values.size(); ++i) {
-        if ((i + 1) % width != 0) meet(i, i + 1);
-        if (i + width < pieces.labels.values.size()) meet(i, i + width);
+    const RoomsCut laid = cut_into_rooms({kept, free_laid, window.resolution_m, beyond}, options,
+                                         clock, executor, report);
+    RoomsCut cut{Raster<std::uint32_t>(layout.box), Raster<std::uint32_t>(layout.box),
+                 laid.num_pieces, Raster<float>(layout.box)};
+    put_back(laid.rooms, layout, cut.rooms);
+    put_back(laid.pieces, layout, cut.pieces);
+    put_back(laid.clearance_m, layout, cut.clearance_m);
+    return cut;
+}
+
+/// The window in parts that are connected: of new regions where it is decided anew, and of rooms
+/// that are kept.
+struct Parts {
+    Raster<std::uint32_t> labels;
+    std::uint32_t count = 0;
+    std::vector<bool> is_kept{false};
+    /// The room that most cells of the part had; 0 = none.
+    std::vector<std::uint32_t> earlier_room{0};
+};
+
+/// Pieces that reach into what is decided are decided as a whole.
+std::vector<std::uint8_t> cells_decided(const LocalWindow& window, const RoomsCut& cut) {
+    std::vector<bool> is_decided(cut.num_pieces + std::size_t{1}, false);
+    for (std::size_t i = 0; i < cut.pieces.values.size(); ++i) {
+        if (window.decided.contains(cut.pieces.cell(i))) is_decided[cut.pieces.values[i]] = true;
     }
-    for (const auto& [p, q] : pairs) {
-        const std::uint32_t a = regions.region_of(p);
-        const std::uint32_t b = regions.region_of(q);
-        if (a != b) regions.join(a, b);
+    std::vector<std::uint8_t> result(cut.pieces.values.size(), 0);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::uint32_t piece = cut.pieces.values[i];
+        result[i] =
+            (piece != 0 ? is_decided[piece] : window.decided.contains(cut.pieces.cell(i))) ? 1 : 0;
     }
-    return goes_on;
+    return result;
+}
+
+Parts divide(const LocalWindow& window, const RoomsCut& cut,
+             const std::vector<std::uint8_t>& is_decided) {
+    // What a cell belongs to: a new region, or a room that is kept.
+    const auto owner = [&](std::size_t i) {
+        if (is_decided[i] != 0) return cut.rooms.values[i];
+        const std::uint32_t room = window.rooms.values[i];
+        return window.locked.count(room) != 0 ? 0 : room;
+    };
+    const ConnectedParts parts = connected_parts(
+        window.rooms, [&](std::size_t i) { return owner(i) != 0; },
+        [&](std::size_t i, std::size_t j) {
+            return is_decided[i] == is_decided[j] && owner(i) == owner(j);
+        });
+    Parts result{parts.labels, parts.count, {}, {}};
+    result.is_kept.assign(parts.count + std::size_t{1}, false);
+    for (std::size_t i = 0; i < is_decided.size(); ++i) {
+        if (is_decided[i] == 0) result.is_kept[parts.labels.values[i]] = true;
+    }
+    result.is_kept[0] = false;
+    result.earlier_room = majority_rooms(parts.labels, parts.count, window.rooms);
+    return result;
+}
+
+/// Calls visit(i, j) for neighbours among the cells.
+template <typename Visit>
+void for_each_pair(const Raster<std::uint32_t>& raster, const Visit& visit) {
+    const auto width = static_cast<std::size_t>(raster.width);
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        if ((i + 1) % width != 0) visit(i, i + 1);
+        if (i + width < raster.values.size()) visit(i, i + width);
+    }
+}
+
+/// Joins a new region with the rooms in which it goes on, and what people made one.
+void join_across_borders(const LocalWindow& window, const RoomsCut& cut, const Parts& parts,
+                         LabelSets& sets) {
+    for_each_pair(parts.labels, [&](std::size_t i, std::size_t j) {
+        const std::uint32_t a = parts.labels.values[i];
+        const std::uint32_t b = parts.labels.values[j];
+        if (a == b || a == 0 || b == 0) return;
+        const bool goes_on = parts.is_kept[a] != parts.is_kept[b] && cut.rooms.values[i] != 0 &&
+                             cut.rooms.values[i] == cut.rooms.values[j];
+        const bool is_one = parts.earlier_room[a] == parts.earlier_room[b] &&
+                            window.merged.count(parts.earlier_room[a]) != 0;
+        if (goes_on || is_one) sets.join(a, b);
+    });
+}
+
+/// Joins kept parts that are connected outside of the window.
+void join_beyond(const Parts& parts, const AskBeyond& ask_beyond, LocalCut& cut, LabelSets& sets) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of_room;
+    std::vector<bool> seen(parts.count + std::size_t{1}, false);
+    for (std::size_t i = 0; i < parts.labels.values.size(); ++i) {
+        const std::uint32_t part = parts.labels.values[i];
+        if (seen[part] || !parts.is_kept[part]) continue;
+        seen[part] = true;
+        parts_of_room[parts.earlier_room[part]].push_back(part);
+        cut.kept.push_back({parts.earlier_room[part], parts.labels.cell(i)});
+    }
+    std::map<std::uint32_t, std::vector<Cell>> cells_of_room;
+    for (const KeptPart& kept : cut.kept) cells_of_room[kept.room].push_back(kept.cell);
+    for (const auto& [room, of_room] : parts_of_room) {
+        const std::vector<std::size_t> groups =
+            ask_beyond(room, cells_of_room[room], parts.labels).group_of_part;
+        std::map<std::size_t, std::uint32_t> first;
+        for (std::size_t k = 0; k < of_room.size(); ++k) {
+            const auto [at, is_new] = first.emplace(groups[k], of_room[k]);
+            if (!is_new) sets.join(at->second, of_room[k]);
+        }
+    }
+}
+
+/// The widest place between each two regions that meet in what is decided.
+std::vector<LocalOpening> find_openings(const LocalWindow& window, const Raster<float>& clearance,
+                                        const Raster<std::uint32_t>& regions) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, LocalOpening> widest;
+    for_each_pair(regions, [&](std::size_t i, std::size_t j) {
+        const std::uint32_t a = regions.values[i];
+        const std::uint32_t b = regions.values[j];
+        if (a == b || a == 0 || b == 0 || a == kNotCut || b == kNotCut) return;
+        if (!window.decided.contains(regions.cell(i))) return;
+        const float width = std::min(clearance.values[i], clearance.values[j]);
+        LocalOpening& opening = widest[std::minmax(a, b)];
+        if (width > opening.clearance_m) opening = {regions.cell(i), regions.cell(j), width, 0, 0};
+    });
+    std::vector<LocalOpening> openings;
+    for (const auto& [pair, opening] : widest) {
+        if (opening.clearance_m > 0.0F) openings.push_back(opening);
+    }
+    return openings;
 }
 
 }  // namespace
 
 LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
-                     const AskBeyond& beyond, const Executor& executor) {
-    const double resolution_m = window.resolution_m;
-    const Raster<std::uint8_t> kept = cells_to_cut(window, options.rooms.min_component_m2);
-    const Raster<std::uint8_t> open = open_space(kept, resolution_m, options.rooms.max_furniture_m2,
-                                                 options.rooms.furniture, executor);
-    const Raster<float> clearance = clearance_m(open, resolution_m, executor);
-    LocalPieces pieces = divide(window, build_basins(clearance, resolution_m, executor));
-    RegionGraph regions(pieces.labels, pieces.count(), clearance, resolution_m);
+                     const AskBeyond& ask_beyond, const Executor& executor) {
+    const RoomsCut anew = cut_window(window, options, ask_beyond, executor);
+    const std::vector<std::uint8_t> is_decided = cells_decided(window, anew);
+    const Parts parts = divide(window, anew, is_decided);
     LocalCut cut;
-    cut.num_nodes = pieces.count();
-    const Window limits{window.decided, join_what_was_one(window, pieces, beyond, regions)};
-    Raster<std::uint8_t> free(kept.origin, kept.width, kept.height);
-    for (std::size_t i = 0; i < free.values.size(); ++i) {
-        free.values[i] = window.states.values[i] == CellState::free ? 1 : 0;
+    cut.num_nodes = anew.num_pieces;
+    LabelSets sets;
+    for (std::uint32_t part = 1; part <= parts.count; ++part) sets.add();
+    join_across_borders(window, anew, parts, sets);
+    join_beyond(parts, ask_beyond, cut, sets);
+    const std::vector<std::uint32_t> numbers = sets.numbers();
+    cut.num_regions = *std::max_element(numbers.begin(), numbers.end());
+    cut.regions = parts.labels;
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        std::uint32_t& region = cut.regions.values[i];
+        region = window.locked.count(window.rooms.values[i]) != 0 ? kNotCut : numbers[region];
     }
-    cut.regions = fuse_into_rooms({pieces.labels, clearance, free, resolution_m}, options.rooms,
-                                  limits, executor, regions);
-
-    std::vector<std::uint32_t> number(pieces.count() + std::size_t{1}, 0);
-    cut.peak_m = {0.0};
-    for (std::uint32_t& label : cut.regions.values) {
-        if (label == 0) continue;
-        if (number[label] == 0) {
-            number[label] = ++cut.num_regions;
-            cut.peak_m.push_back(regions.peak_m(label));
-        }
-        label = number[label];
-    }
-    for (std::size_t i = 0; i < cut.regions.values.size() && !window.locked.empty(); ++i) {
-        if (window.locked.count(window.rooms.values[i]) != 0) cut.regions.values[i] = kNotCut;
-    }
-    cut.kept = pieces.kept;
     for (const KeptPart& part : cut.kept) {
         cut.region_of_kept.push_back(cut.regions.at(part.cell));
     }
-    for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
-        for (const auto& [other, saddle] : regions.saddles(region)) {
-            if (region < other && window.decided.contains(saddle.a)) {
-                cut.openings.push_back({saddle.a, saddle.b, saddle.clearance_m, 0, 0});
-            }
-        }
+    cut.peak_m.assign(cut.num_regions + std::size_t{1}, 0.0);
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const std::uint32_t region = cut.regions.values[i];
+        if (region == kNotCut) continue;
+        cut.peak_m[region] =
+            std::max(cut.peak_m[region], static_cast<double>(anew.clearance_m.values[i]));
     }
+    cut.openings = find_openings(window, anew.clearance_m, cut.regions);
     return cut;
 }
 

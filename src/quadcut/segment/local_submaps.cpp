@@ -75,7 +75,6 @@ LocalCut cut_submaps(const SubmapWindow& window, const SegmentOptions& options,
     LocalCut cut;
     cut.num_nodes = in_list.size();
     cut.num_regions = submaps.pieces.count;
-    cut.peak_m.assign(cut.num_regions + std::size_t{1}, 0.0);
     cut.regions = Raster<std::uint32_t>(window.states.origin, window.states.width,
                                         window.states.height, kNotCut);
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {

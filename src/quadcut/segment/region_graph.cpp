@@ -57,11 +57,10 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     }
 }
 
-void RegionGraph::add_beyond(std::uint32_t piece, double area_m2, double peak_m,
-                             std::size_t num_openings) {
-    extent_[piece].area_m2 += area_m2;
-    extent_[piece].peak_m = std::max(extent_[piece].peak_m, peak_m);
-    extent_[piece].num_openings += num_openings;
+void RegionGraph::add_beyond(std::uint32_t piece, const Beyond& beyond) {
+    extent_[piece].area_m2 += beyond.area_m2;
+    extent_[piece].peak_m = std::max(extent_[piece].peak_m, beyond.peak_m);
+    extent_[piece].num_openings += beyond.num_openings;
 }
 
 std::size_t RegionGraph::num_saddles() const {
@@ -80,7 +79,7 @@ void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
     extent_[a].area_m2 += extent_[b].area_m2;
     extent_[a].peak_m = std::max(extent_[a].peak_m, extent_[b].peak_m);
     extent_[a].num_openings += extent_[b].num_openings;
-    if (!extent_[b].box.is_empty()) extent_[a].box.include(extent_[b].box);
+    extent_[a].box.include(extent_[b].box);
     ++version_[a];
     saddles_[a].erase(b);
     for (const auto& [other, saddle] : saddles_[b]) {
@@ -103,8 +102,7 @@ Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     return narrowing;
 }
 
-void RegionGraph::measure_all(double max_width_m, const Executor& executor,
-                              const std::optional<Box>& within) {
+void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
     struct Task {
         std::pair<std::uint32_t, std::uint32_t> pair;
         const Saddle* saddle = nullptr;
@@ -114,7 +112,6 @@ void RegionGraph::measure_all(double max_width_m, const Executor& executor,
     for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
         for (const auto& [other, saddle] : saddles_[region]) {
             if (other < region || measured_.count({region, other}) != 0) continue;
-            if (within && !within->contains(saddle.a)) continue;
             if (2.0 * static_cast<double>(saddle.clearance_m) <= max_width_m)
                 tasks.push_back({{region, other}, &saddle, {}});
         }

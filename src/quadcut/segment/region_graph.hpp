@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -14,6 +13,15 @@
 #include "quadcut/segment/narrowing.hpp"
 
 namespace quadcut {
+
+/// What a room, or a part of it, has outside of a window of the map.
+struct Beyond {
+    double area_m2 = 0.0;
+    /// The largest clearance.
+    double peak_m = 0.0;
+    /// To rooms that are somewhere to go to.
+    std::size_t num_openings = 0;
+};
 
 /// Regions made of pieces that only ever join, with the widest saddle to each neighbour.
 class RegionGraph {
@@ -41,7 +49,7 @@ public:
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
 
     /// What a piece has beyond the raster, of which it is a part. @pre nothing was joined yet.
-    void add_beyond(std::uint32_t piece, double area_m2, double peak_m, std::size_t num_openings);
+    void add_beyond(std::uint32_t piece, const Beyond& beyond);
 
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
@@ -49,10 +57,8 @@ public:
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
     [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
-    /// Measures ahead what measure() will be asked for: all saddles up to a width, on all threads;
-    /// with `within`, only those there.
-    void measure_all(double max_width_m, const Executor& executor,
-                     const std::optional<Box>& within = std::nullopt);
+    /// Measures ahead what measure() will be asked for: all saddles up to a width, on all threads.
+    void measure_all(double max_width_m, const Executor& executor);
     /// The same as measure() at another saddle between them, whose cell a lies in region a.
     [[nodiscard]] Narrowing measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
                                        NarrowingGauge& gauge) const;

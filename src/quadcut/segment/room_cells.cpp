@@ -41,6 +41,12 @@ void RoomCells::set_tile(Cell tile, const RoomTile& values) {
     tiles_[number(tile)] = values;
 }
 
+void RoomCells::note_free(Cell tile, int num_free) {
+    std::uint8_t& before = num_free_[number(tile)];
+    moments_.add(tile, num_free - std::int64_t{before});
+    before = static_cast<std::uint8_t>(num_free);
+}
+
 void RoomCells::mark(Cell tile) {
     const std::uint32_t at = number(tile);
     if (is_marked_[at]) return;
@@ -56,9 +62,29 @@ std::vector<Cell> RoomCells::take_marked() {
     return tiles;
 }
 
+void RoomCells::Moments::add(Cell tile, std::int64_t cells) {
+    count += cells;
+    std::int64_t x_power = cells;
+    std::int64_t y_power = cells;
+    for (std::size_t k = 0; k < 3; ++k) {
+        x[k] += x_power *= tile.x;
+        y[k] += y_power *= tile.y;
+    }
+}
+
+Layout RoomCells::orientation() const {
+    if (moments_.count == 0) return {};
+    const auto of = [&](const std::array<std::int64_t, 3>& sums) {
+        const auto n = static_cast<double>(moments_.count);
+        return AxisMoments{n, static_cast<double>(sums[0]), static_cast<double>(sums[1]),
+                           static_cast<double>(sums[2])};
+    };
+    return standard_orientation(of(moments_.x), of(moments_.y));
+}
+
 std::size_t RoomCells::bytes() const {
     return directory_.values.capacity() * sizeof(std::uint32_t) +
-           tiles_.capacity() * sizeof(RoomTile) + is_marked_.capacity() / 8 +
+           tiles_.capacity() * sizeof(RoomTile) + is_marked_.capacity() / 8 + num_free_.capacity() +
            marked_.capacity() * sizeof(Cell);
 }
 
@@ -75,6 +101,7 @@ std::uint32_t RoomCells::number(Cell tile) {
     if (entry == 0) {
         entry = static_cast<std::uint32_t>(tiles_.size());
         tiles_.emplace_back();
+        num_free_.push_back(0);
         is_marked_.push_back(false);
     }
     return entry;

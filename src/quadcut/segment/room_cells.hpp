@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/map/layout.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/map/tile.hpp"
 
@@ -44,10 +45,25 @@ public:
     /// The marked tiles, row by row; none is marked any more.
     [[nodiscard]] std::vector<Cell> take_marked();
 
+    /// Says how many cells of a tile are free now.
+    void note_free(Cell tile, int num_free);
+    /// How standard_layout() would lay out the free cells, to the nearest tile; without a box.
+    /// O(1).
+    [[nodiscard]] Layout orientation() const;
+
     /// Bytes held.
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    /// Sums over cells, of powers of their tiles' x and y.
+    struct Moments {
+        std::int64_t count = 0;
+        std::array<std::int64_t, 3> x{};
+        std::array<std::int64_t, 3> y{};
+
+        void add(Cell tile, std::int64_t cells);
+    };
+
     /// A tile's number, new if it had none.
     std::uint32_t number(Cell tile);
 
@@ -56,6 +72,9 @@ private:
     std::vector<RoomTile> tiles_ = std::vector<RoomTile>(1);
     std::vector<bool> is_marked_ = std::vector<bool>(1);
     std::vector<Cell> marked_;
+    std::vector<std::uint8_t> num_free_ = std::vector<std::uint8_t>(1);
+    /// Of the free cells, by their tiles.
+    Moments moments_;
 };
 
 }  // namespace quadcut

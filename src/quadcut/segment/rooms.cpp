@@ -2,7 +2,15 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/rooms.hpp"
 
+#include <utility>
+#include <vector>
+
+#include "quadcut/map/clearance.hpp"
+#include "quadcut/map/flood.hpp"
+#include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/hierarchy.hpp"
+#include "quadcut/segment/open_space.hpp"
+#include "quadcut/segment/pieces.hpp"
 #include "quadcut/segment/regions.hpp"
 
 namespace quadcut {
@@ -11,38 +19,37 @@ namespace {
 /// What is enclosed by an outline up to this size is the inside of furniture.
 constexpr double kMaxPocketM2 = 4.0;
 
-/// By region instead of by piece.
-std::vector<bool> by_region(const std::vector<bool>& goes_on, const RegionGraph& regions) {
-    std::vector<bool> result(goes_on.size(), false);
-    for (std::uint32_t piece = 0; piece < goes_on.size(); ++piece) {
-        if (goes_on[piece]) result[regions.region_of(piece)] = true;
+/// The regions with cells on the edge of a window.
+std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const RegionGraph& regions) {
+    std::vector<bool> result(regions.num_pieces() + std::size_t{1}, false);
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        if (pieces.values[i] != 0 && is_on_edge(pieces, i)) {
+            result[regions.region_of(pieces.values[i])] = true;
+        }
     }
     return result;
 }
 
-}  // namespace
-
-Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOptions& options,
-                                      const Window& window, const Executor& executor,
+Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& cut,
+                                      const RoomsOptions& options, const Executor& executor,
                                       RegionGraph& regions, Hierarchy* hierarchy) {
-    const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio, window.decided};
+    const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
     const auto measure_ahead = [&] {
-        if (rule.by == FuseRule::model) {
-            regions.measure_all(rule.max_width_m, executor, window.decided);
-        }
+        if (rule.by == FuseRule::model) regions.measure_all(rule.max_width_m, executor);
     };
     measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
-    Raster<std::uint32_t> labels = input.pieces;
+    Raster<std::uint32_t> labels = cut.pieces;
     relabel(regions, labels);
-    const std::vector<bool> goes_on = by_region(window.goes_on, regions);
+    const std::vector<bool> goes_on =
+        floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
     connect_regions(labels, goes_on);
-    drop_impassable(labels, input.clearance_m, options.min_passable_m, goes_on);
+    drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
     const Adoption adoption = adopt_pockets(
-        labels, input.free, find_pockets(labels, input.free, input.resolution_m, kMaxPocketM2));
-    drop_without_floor(labels, input.free);
+        labels, floor.free, find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2));
+    drop_without_floor(labels, floor.free);
     if (adoption.is_any) connect_regions(labels, goes_on);
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
@@ -51,6 +58,32 @@ Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input, const RoomsOption
     Fuser(regions, rule).fuse_below(fuse_threshold(options.granularity));
     relabel(regions, labels, adoption.enclosures);
     return labels;
+}
+
+}  // namespace
+
+RoomsCut cut_into_rooms(const FloorToCut& floor, const SegmentOptions& options, StageClock& clock,
+                        const Executor& executor, SegmentReport& report, Hierarchy* hierarchy) {
+    RoomsCut cut;
+    clock.begin("clearance");
+    const Raster<std::uint8_t> open =
+        open_space(floor.kept, floor.resolution_m, options.rooms.max_furniture_m2,
+                   options.rooms.furniture, executor);
+    cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
+    Basins pieces =
+        find_pieces(open, cut.clearance_m, floor.resolution_m, options, clock, executor, report);
+    cut.pieces = std::move(pieces.labels);
+    cut.num_pieces = pieces.count;
+    clock.begin("graph");
+    RegionGraph regions(cut.pieces, cut.num_pieces, cut.clearance_m, floor.resolution_m);
+    if (options.rooms.pieces == PieceSource::basins) {
+        report.num_leaves = cut.num_pieces;
+        report.num_edges = regions.num_saddles();
+    }
+    if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
+    clock.begin("fuse");
+    cut.rooms = fuse_into_rooms(floor, cut, options.rooms, executor, regions, hierarchy);
+    return cut;
 }
 
 }  // namespace quadcut

@@ -3,43 +3,45 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <vector>
+#include <functional>
 
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/region_graph.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
 namespace quadcut {
 
-/// What rooms are fused from; rasters of one rectangle.
-struct RoomsInput {
-    const Raster<std::uint32_t>& pieces;
-    const Raster<float>& clearance_m;
+/// What is cut into rooms; rasters of one rectangle from cell (0, 0) on.
+struct FloorToCut {
+    /// 1 = to be cut.
+    const Raster<std::uint8_t>& kept;
     /// 1 = free in the map.
     const Raster<std::uint8_t>& free;
     double resolution_m = 0.05;
+    /// For a window of a map, where what touches the edge goes on beyond it: says what the pieces
+    /// (of RoomsCut) have there.
+    std::function<void(const Raster<std::uint32_t>& pieces, RegionGraph& regions)> add_beyond;
 };
 
-/// Where only a window of a map is cut anew.
-struct Window {
-    /// Cuts whose saddle lies outside are kept as they are.
-    std::optional<Box> decided;
-    /// Pieces that stand for rooms which go on beyond the window; by piece, nothing = none do.
-    std::vector<bool> goes_on;
+struct RoomsCut {
+    /// Regions of any number; 0 = none.
+    Raster<std::uint32_t> rooms;
+    /// What they were fused from, 1 .. num_pieces; 0 = none.
+    Raster<std::uint32_t> pieces;
+    std::uint32_t num_pieces = 0;
+    Raster<float> clearance_m;
 };
 
-/// Fuses pieces unless a door is between them: first as far as at the highest granularity, of whose
-/// regions all rooms are unions; there, small regions, slivers and pockets find their room. Labels
-/// come out with regions of any number, the numbers of `regions`. With `hierarchy`: all levels,
-/// too. O(cells + 5 m around each saddle, as often as what lies there changes).
-[[nodiscard]] Raster<std::uint32_t> fuse_into_rooms(const RoomsInput& input,
-                                                    const RoomsOptions& options,
-                                                    const Window& window, const Executor& executor,
-                                                    RegionGraph& regions,
-                                                    Hierarchy* hierarchy = nullptr);
+/// The cut of the preset `rooms`, of a map or of a window: clearance, in which furniture does not
+/// count; pieces; pieces are fused unless a door is between them, first as far as at the highest
+/// granularity, of whose regions all rooms are unions; there, small regions, slivers and pockets
+/// find their room. With `hierarchy`: all levels, too.
+/// O(cells + 5 m around each saddle, as often as what lies there changes).
+[[nodiscard]] RoomsCut cut_into_rooms(const FloorToCut& floor, const SegmentOptions& options,
+                                      StageClock& clock, const Executor& executor,
+                                      SegmentReport& report, Hierarchy* hierarchy = nullptr);
 
 }  // namespace quadcut

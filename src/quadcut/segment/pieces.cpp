@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/segment/pieces.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "quadcut/graph/border_edges.hpp"
+#include "quadcut/graph/visibility.hpp"
+#include "quadcut/segment/cut.hpp"
+#include "quadcut/segment/free_leaves.hpp"
+#include "quadcut/segment/snap.hpp"
+
+namespace quadcut {
+namespace {
+
+/// A map whose free cells are the open ones.
+GridMap map_of(const Raster<std::uint8_t>& open, double resolution_m) {
+    GridMap map;
+    map.resolution_m = resolution_m;
+    map.states = Raster<CellState>(open.origin, open.width, open.height, CellState::occupied);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        if (open.values[i] != 0) map.states.values[i] = CellState::free;
+    }
+    return map;
+}
+
+/// Border edges; those in narrow places weigh less, so that cuts are drawn to doorways.
+Graph narrowness_graph(const FreeLeaves& leaves, const Raster<float>& clearance,
+                       double resolution_m, double full_clearance_m, const Executor& executor) {
+    std::vector<double> openness(leaves.nodes.size());
+    for (std::size_t node = 0; node < leaves.nodes.size(); ++node) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[node]);
+        const std::int32_t half = leaf.side_cells() / 2;
+        const Cell centre{leaf.lower_left.x + half, leaf.lower_left.y + half};
+        openness[node] =
+            std::min<double>(clearance.at(centre), full_clearance_m) / full_clearance_m;
+    }
+    std::vector<WeightedEdge> edges = border_edges(leaves.table, leaves.nodes, executor);
+    for (WeightedEdge& edge : edges) edge.weight *= std::min(openness[edge.a], openness[edge.b]);
+    return build_graph(edges, leaf_areas_m2(leaves.table, leaves.nodes, resolution_m));
+}
+
+/// The spectral over-cut as labels.
+Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>& clearance) {
+    Basins painted{Raster<std::uint32_t>(clearance.origin, clearance.width, clearance.height),
+                   static_cast<std::uint32_t>(pieces.count)};
+    for (std::size_t node = 0; node < leaves.nodes.size(); ++node) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[node]);
+        paint_leaf(leaf, pieces.piece_of_node[node] + 1, painted.labels);
+    }
+    return painted;
+}
+
+/// The spectral over-cut; its borders are moved to the narrowest lines unless they are to stay.
+Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
+                       const SegmentOptions& options, StageClock& clock, const Executor& executor,
+                       SegmentReport& report) {
+    clock.begin("map");
+    const FreeLeaves leaves = free_leaves(open_map);
+    clock.begin("graph");
+    const Graph graph = narrowness_graph(leaves, clearance, open_map.resolution_m,
+                                         options.rooms.full_clearance_m, executor);
+    OverCutOptions over_cut_options;
+    over_cut_options.max_eigenvalue_per_m2 = options.rooms.max_eigenvalue_per_m2;
+    over_cut_options.laplacian = options.rooms.laplacian;
+    over_cut_options.seed = options.seed;
+    Pieces pieces = over_cut(graph, over_cut_options, clock, executor);
+    report.num_leaves = leaves.nodes.size();
+    report.num_edges = num_edges(graph);
+    report.eigen = std::move(pieces.eigen);
+    if (options.rooms.pieces == PieceSource::unsnapped) return paint(pieces, leaves, clearance);
+    clock.begin("snap");
+    return snap_to_basins(build_basins(clearance, open_map.resolution_m, executor), leaves.table,
+                          leaves.nodes, pieces.piece_of_node);
+}
+
+}  // namespace
+
+// Each edge stands in two rows.
+std::size_t num_edges(const Graph& graph) {
+    std::size_t num_entries = 0;
+    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+        for (const std::uint32_t next : graph.neighbours(node)) {
+            if (next != node) ++num_entries;
+        }
+    }
+    return num_entries / 2;
+}
+
+Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& clearance,
+                   double resolution_m, const SegmentOptions& options, StageClock& clock,
+                   const Executor& executor, SegmentReport& report) {
+    if (options.rooms.pieces == PieceSource::basins) {
+        clock.begin("cut");
+        return build_basins(clearance, resolution_m, executor);
+    }
+    return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);
+}
+
+}  // namespace quadcut
