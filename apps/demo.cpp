@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/follow_session.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
@@ -15,12 +16,11 @@
 #include "apps/truth_score.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
+#include "io/filmstrip.hpp"
 #include "io/number_text.hpp"
 #include "io/results.hpp"
 #include "quadcut/base/stage_clock.hpp"
-#include "quadcut/map/integrate.hpp"
-#include "quadcut/map/occupancy_map.hpp"
-#include "quadcut/segment/segment.hpp"
+#include "quadcut/segment/follow.hpp"
 #include "sim/write.hpp"
 
 namespace quadcut {
@@ -28,6 +28,7 @@ namespace {
 
 constexpr const char* kDefaultFolder = "quadcut_demo";
 constexpr const char* kTruthFolder = "simulation";
+constexpr std::size_t kNumMoments = 8;
 
 std::vector<Point> positions(const std::vector<Scan>& scans) {
     std::vector<Point> points;
@@ -52,21 +53,56 @@ struct RobotMap {
     std::vector<Point> trajectory;
 };
 
-RobotMap map_scans(const std::vector<Scan>& scans, StageClock& clock, Progress& progress) {
-    clock.begin("map");
-    const OccupancyMap map = map_from_scans(scans, kLogResolution, {}, [&](std::size_t num_done) {
-        progress.update(num_done, scans.size());
-    });
-    return {map.to_grid(), positions(scans)};
+/// What came of following the robot.
+struct Followed {
+    RobotMap robot;
+    Segmentation rooms;
+    std::string updates;
+    /// At equal distances in time.
+    std::vector<io::Moment> moments;
+};
+
+io::Moment moment_of(const FollowSession& session, const std::vector<Point>& way) {
+    const std::size_t num_rooms = session.follower().num_rooms();
+    io::Moment moment{"scan " + std::to_string(session.num_done()) + ", " +
+                          std::to_string(num_rooms) + (num_rooms == 1 ? " room" : " rooms"),
+                      session.follower().map().to_grid(), session.follower().rooms(), way};
+    moment.way.resize(session.num_done());
+    return moment;
 }
 
-void write(const std::filesystem::path& folder, const Simulation& simulation, const RobotMap& robot,
-           const Segmentation& rooms, const io::RoomScore& score, const io::RunInfo& info) {
+Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& options,
+                      StageClock& clock, Progress& progress) {
+    clock.begin("follow");
+    Followed followed;
+    followed.robot.trajectory = positions(scans);
+    FollowSession session(options, scans);
+    while (!session.is_done()) {
+        session.add_next();
+        progress.update(session.num_done(), scans.size(), [&] { return session.story(); });
+        const std::size_t next = scans.size() * (followed.moments.size() + 1) / kNumMoments;
+        if (session.num_done() == next && !session.is_done()) {
+            followed.moments.push_back(moment_of(session, followed.robot.trajectory));
+        }
+    }
+    session.finish();
+    followed.moments.push_back(moment_of(session, followed.robot.trajectory));
+    clock.begin("doors");
+    followed.robot.map = session.follower().map().to_grid();
+    followed.rooms = session.follower().rooms();
+    followed.updates = session.updates();
+    return followed;
+}
+
+void write(const std::filesystem::path& folder, const Simulation& simulation,
+           const Followed& followed, const io::RoomScore& score, const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
     sim::write_simulation(folder / kTruthFolder, simulation.building, simulation.options,
                           simulation.exploration);
-    io::write_map(folder, robot.map);
-    io::write_results(folder, robot.map, rooms, info);
+    io::write_map(folder, followed.robot.map);
+    io::write_results(folder, followed.robot.map, followed.rooms, info);
+    io::write_file_atomically(folder / "updates.jsonl", followed.updates);
+    io::write_file_atomically(folder / "filmstrip.png", io::render_filmstrip(followed.moments));
     io::write_file_atomically(folder / "score.json", io::to_json(score) + "\n");
 }
 
@@ -79,13 +115,14 @@ void print_story(const std::string& folder, const Simulation& simulation, const 
               << "A robot explored it: " << simulation.exploration.scans.size() << " scans on "
               << io::rounded(length_m(robot.trajectory), 0) << " m of way, mapped to "
               << cells.width << " x " << cells.height << " cells.\n"
-              << "Cut the map into " << rooms.rooms.size() << " rooms with " << rooms.doors.size()
-              << " doors; all of this took " << io::rounded(elapsed_s, 1) << " s.\n"
+              << "Followed it, and cut the map into " << rooms.rooms.size() << " rooms with "
+              << rooms.doors.size() << " doors; all of this took " << io::rounded(elapsed_s, 1)
+              << " s.\n"
               << "Against the truth: panoptic quality " << percent(score.pq) << ", "
               << percent(score.f1_50) << " of the rooms found, " << percent(score.cover)
               << " of their floor.\n"
-              << "Look at " << folder << "/rooms_color.png and " << folder
-              << "/rooms.svg; the truth is in " << folder << "/" << kTruthFolder << ".\n";
+              << "Look at " << folder << "/filmstrip.png, " << folder << "/rooms_color.png and "
+              << folder << "/rooms.svg; the truth is in " << folder << "/" << kTruthFolder << ".\n";
 }
 
 void run(const Arguments& arguments) {
@@ -98,10 +135,10 @@ void run(const Arguments& arguments) {
 
     clock.begin("simulate");
     const Simulation simulation = simulate(choice, progress);
-    const RobotMap robot = map_scans(simulation.exploration.scans, clock, progress);
-    SegmentOptions options;
-    Segmentation rooms = segment(robot.map, options, robot.trajectory,
-                                 [&clock](std::string_view stage) { clock.begin(stage); });
+    const FollowOptions options;
+    Followed followed = follow_scans(simulation.exploration.scans, options, clock, progress);
+    const RobotMap& robot = followed.robot;
+    Segmentation& rooms = followed.rooms;
     clock.begin("score");
     const io::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
     rooms.report.stages_ms = clock.finish();
@@ -109,10 +146,11 @@ void run(const Arguments& arguments) {
     io::RunInfo info;
     info.version = QUADCUT_VERSION;
     info.input = "simulation, seed " + std::to_string(choice.seed);
-    info.options = option_fields(options);
+    SegmentOptions segment_options = options.segment;
+    info.options = option_fields(segment_options);
     std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
-    info.num_threads = static_cast<int>(options.num_threads);
-    write(folder, simulation, robot, rooms, score, info);
+    info.num_threads = static_cast<int>(options.segment.num_threads);
+    write(folder, simulation, followed, score, info);
 
     progress.wipe();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -128,7 +166,8 @@ Command demo_command() {
     const std::vector<OptionField> fields = simulation_fields(defaults);
     CommandForm form;
     form.name = "demo";
-    form.text = "Simulates a furnished building, maps it, cuts it and compares with the truth.";
+    form.text =
+        "Simulates a furnished building, follows a robot in it, and compares rooms with the truth.";
     form.flags = {output_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
     form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";

@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/follow_session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "io/file.hpp"
+#include "io/number_text.hpp"
 #include "io/option_text.hpp"
 #include "io/updates.hpp"
 #include "quadcut/base/error.hpp"
@@ -74,6 +76,7 @@ FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan>
       follower_(project_->follower()),
       position_(project_->position()),
       updates_(project_->update_lines()) {
+    num_before_ = position_.num_done;
     if (position_.num_done > scans_.size()) {
         throw InputError(io::display_name(project) + ": has followed " +
                          std::to_string(position_.num_done) + " scans of a log with " +
@@ -86,6 +89,7 @@ FollowUpdate FollowSession::add_next() {
     try {
         update = follower_.add_scan(next());
         keep(update);
+        last_ = update;
     } catch (const InputError& error) {
         if (position_.num_left_out++ == 0) position_.first_left_out = error.what();
     }
@@ -105,6 +109,15 @@ void FollowSession::keep(const FollowUpdate& update) {
     const std::string line = io::to_json_line(update);
     updates_ += line;
     if (project_) project_->add(update, line);
+}
+
+std::string FollowSession::story() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun_at_;
+    const double rate =
+        static_cast<double>(position_.num_done - num_before_) / std::max(elapsed.count(), 1e-3);
+    return "  " + io::rounded(rate, 0) + " scans/s  " + std::to_string(last_.num_leaves) +
+           " leaves  " + std::to_string(last_.num_rooms) + " rooms  ps " +
+           io::rounded(100.0 * last_.ps, 0) + " %";
 }
 
 void FollowSession::save() {

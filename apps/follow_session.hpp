@@ -39,6 +39,9 @@ public:
     /// While nothing else is to be done; false when there is nothing to refine.
     bool refine() { return follower_.refine(); }
 
+    /// "  1840 scans/s  5230 leaves  12 rooms  ps 14 %": what is going on.
+    [[nodiscard]] std::string story() const;
+
     [[nodiscard]] const Follower& follower() const { return follower_; }
     /// The lines of updates.jsonl.
     [[nodiscard]] const std::string& updates() const { return updates_; }
@@ -54,6 +57,10 @@ private:
     Follower follower_;
     store::LogPosition position_;
     std::string updates_;
+    FollowUpdate last_;
+    /// When this run began, and how far the scans were then.
+    std::chrono::steady_clock::time_point begun_at_ = std::chrono::steady_clock::now();
+    std::size_t num_before_ = 0;
     std::chrono::steady_clock::time_point saved_at_ = std::chrono::steady_clock::now();
 };
 

@@ -30,6 +30,11 @@ void Progress::begin(std::string_view stage) {
 }
 
 void Progress::update(std::size_t num_done, std::size_t num_all) {
+    update(num_done, num_all, [] { return std::string(); });
+}
+
+void Progress::update(std::size_t num_done, std::size_t num_all,
+                      const std::function<std::string()>& text) {
     if (style_ == ProgressStyle::none || num_all == 0) return;
     const double share = static_cast<double>(num_done) / static_cast<double>(num_all);
     const auto percent = static_cast<std::size_t>(100.0 * std::clamp(share, 0.0, 1.0));
@@ -37,7 +42,7 @@ void Progress::update(std::size_t num_done, std::size_t num_all) {
     percent_ = percent;
     const std::size_t filled = percent * kBarWidth / 100;
     draw(stage_ + "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] " +
-         std::to_string(percent) + " %");
+         std::to_string(percent) + " %" + text());
 }
 
 void Progress::wipe() {

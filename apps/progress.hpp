@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ public:
     void begin(std::string_view stage);
     /// So much of the current stage is done. Cheap enough to be called a million times.
     void update(std::size_t num_done, std::size_t num_all);
+    /// The same, with something to say beside the bar: `text()` is asked for when it is drawn.
+    void update(std::size_t num_done, std::size_t num_all,
+                const std::function<std::string()>& text);
     /// Takes the line away, so that something else can be printed.
     void wipe();
 
