@@ -24,32 +24,29 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// Patches of changes: the tiles of each, by nearness.
-std::vector<std::pair<Box, std::size_t>> patches(
-    const std::map<std::pair<std::int32_t, std::int32_t>, std::size_t>& tiles,
-    double resolution_m) {
+std::vector<Box> patches(const std::map<std::pair<std::int32_t, std::int32_t>, std::size_t>& tiles,
+                         double resolution_m) {
     const auto block_tiles =
         static_cast<std::int32_t>(std::max(1.0, std::ceil(kPatchM / (resolution_m * kTileSide))));
     const auto block_of = [&](std::int32_t tile) {
         return static_cast<std::int32_t>(std::floor(static_cast<double>(tile) / block_tiles));
     };
-    std::map<std::pair<std::int32_t, std::int32_t>, std::pair<Box, std::size_t>> blocks;
+    std::map<std::pair<std::int32_t, std::int32_t>, Box> blocks;
     for (const auto& [at, count] : tiles) {
         const Cell low = first_cell_of({at.first, at.second});
-        auto& [box, sum] = blocks[{block_of(at.first), block_of(at.second)}];
-        box.include({low, {low.x + kTileSide - 1, low.y + kTileSide - 1}});
-        sum += count;
+        blocks[{block_of(at.first), block_of(at.second)}].include(
+            {low, {low.x + kTileSide - 1, low.y + kTileSide - 1}});
     }
-    std::vector<std::pair<Box, std::size_t>> result;
+    std::vector<Box> result;
     while (!blocks.empty()) {
         std::vector<std::pair<std::int32_t, std::int32_t>> waiting{blocks.begin()->first};
-        std::pair<Box, std::size_t> patch{{}, 0};
+        Box patch;
         while (!waiting.empty()) {
             const auto at = waiting.back();
             waiting.pop_back();
             const auto found = blocks.find(at);
             if (found == blocks.end()) continue;
-            patch.first.include(found->second.first);
-            patch.second += found->second.second;
+            patch.include(found->second);
             blocks.erase(found);
             for (std::int32_t dy = -1; dy <= 1; ++dy) {
                 for (std::int32_t dx = -1; dx <= 1; ++dx) {
@@ -192,12 +189,25 @@ void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
         update.segment_ms = ms_since(start);
         return;
     }
-    for (const auto& [box, count] : patches(changed_tiles_, options_.resolution_m)) {
-        if (static_cast<double>(count) * cell_m2 < min_patch_m2) continue;
+    for (const Box& box : patches(changed_tiles_, options_.resolution_m)) {
+        // A window before may have decided it already.
+        const std::size_t count = num_changed_in(box);
+        if (count == 0 || static_cast<double>(count) * cell_m2 < min_patch_m2) continue;
         cut_window(box, update);
         changed_at_ = num_cuts_;
     }
     update.segment_ms = ms_since(start);
+}
+
+std::size_t Follower::num_changed_in(const Box& box) const {
+    std::size_t count = 0;
+    const Cell low = tile_of(box.low);
+    const Cell high = tile_of(box.high);
+    for (auto at = changed_tiles_.lower_bound({low.x, low.y});
+         at != changed_tiles_.end() && at->first.first <= high.x; ++at) {
+        if (at->first.second >= low.y && at->first.second <= high.y) count += at->second;
+    }
+    return count;
 }
 
 RoomId Follower::room_at(const Point& point) const {

@@ -134,6 +134,7 @@ private:
 
     void note_changes(const MapUpdate& update);
     void note_seen(const std::vector<Cell>& tiles);
+    [[nodiscard]] std::size_t num_changed_in(const Box& box) const;
     void cut_again(double min_patch_m2, FollowUpdate& update);
     void cut_window(const Box& changed, FollowUpdate& update);
     void cut_seen_submaps(FollowUpdate& update);

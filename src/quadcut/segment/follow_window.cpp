@@ -58,7 +58,12 @@ Box Follower::cells_to_decide(const Box& changed) const {
 
 /// Locked rooms and the lines where people cut are walls to what is around them.
 LocalWindow Follower::read_window(const Box& decided) const {
-    const Box box = grown(decided, kContextM, options_.resolution_m);
+    // Nothing is known outside of what was written.
+    const Box around = grown(decided, kContextM, options_.resolution_m);
+    const Box box{{std::max(around.low.x, written_.low.x - 1),
+                   std::max(around.low.y, written_.low.y - 1)},
+                  {std::min(around.high.x, written_.high.x + 1),
+                   std::min(around.high.y, written_.high.y + 1)}};
     LocalWindow window{Raster<CellState>(box, CellState::unknown),
                        Raster<std::uint32_t>(box),
                        decided,
