@@ -89,7 +89,7 @@ void bind_cell(Statement& statement, int place, Cell cell) {
 
 void write_rooms(const Database& database, const FollowerState& state, double cell_m2) {
     Statement(database, "DELETE FROM rooms").run();
-    Statement insert(database, "INSERT INTO rooms VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    Statement insert(database, "INSERT INTO rooms VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const auto& [id, room] : state.rooms) {
         insert.bind(1, std::int64_t{id})
             .bind(2, std::string_view(room.name))
@@ -99,7 +99,10 @@ void write_rooms(const Database& database, const FollowerState& state, double ce
             .bind(6, room.peak_m);
         bind_cell(insert, 7, room.box.low);
         bind_cell(insert, 9, room.box.high);
-        insert.bind(11, room.announced_m2).bind(12, signed_count(room.refined_at)).run();
+        insert.bind(11, room.announced_m2)
+            .bind(12, signed_count(room.decided_cells))
+            .bind(13, signed_count(room.next_block))
+            .run();
     }
 }
 
@@ -148,13 +151,13 @@ void write_rest(const Database& database, const FollowerState& state) {
     write("num_scans", signed_count(state.num_scans));
     write("next_id", state.next_id);
     write("num_cuts", signed_count(state.num_cuts));
-    write("changed_at", signed_count(state.changed_at));
+    write("cut_at", signed_count(state.cut_at));
 }
 
 std::map<std::string, std::int64_t> read_numbers(const Database& database) {
     std::map<std::string, std::int64_t> numbers;
     for (const char* key : {"root_level", "root_x", "root_y", "low_x", "low_y", "high_x", "high_y",
-                            "num_scans", "next_id", "num_cuts", "changed_at"}) {
+                            "num_scans", "next_id", "num_cuts", "cut_at"}) {
         Statement row(database, "SELECT value FROM meta WHERE key = ?");
         row.bind(1, std::string_view(key));
         if (!row.step()) {
@@ -193,13 +196,13 @@ void read_meta(const Database& database, FollowerState& state) {
     state.num_scans = count("num_scans");
     state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
     state.num_cuts = count("num_cuts");
-    state.changed_at = count("changed_at");
+    state.cut_at = count("cut_at");
 }
 
 void read_rooms_table(const Database& database, FollowerState& state) {
     Statement row(database,
                   "SELECT id, name, merged, locked, peak_m, low_x, low_y, high_x, high_y, "
-                  "announced_m2, refined_at FROM rooms ORDER BY id");
+                  "announced_m2, decided_cells, next_block FROM rooms ORDER BY id");
     while (row.step()) {
         FollowedRoom room;
         room.name = row.text(1);
@@ -208,7 +211,8 @@ void read_rooms_table(const Database& database, FollowerState& state) {
         room.peak_m = row.number(4);
         room.box = {cell_at(row, 5), cell_at(row, 7)};
         room.announced_m2 = row.number(9);
-        room.refined_at = static_cast<std::size_t>(row.integer(10, 0, kMaxCount));
+        room.decided_cells = static_cast<std::size_t>(row.integer(10, 0, kMaxCount));
+        room.next_block = static_cast<std::size_t>(row.integer(11, 0, kMaxCount));
         state.rooms[static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))] = room;
     }
 }

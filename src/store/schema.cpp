@@ -23,7 +23,7 @@ std::span<const Table> tables() {
         {"rooms",
          "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merged INTEGER, locked INTEGER, "
          "area_m2 REAL, peak_m REAL, low_x INTEGER, low_y INTEGER, high_x INTEGER, "
-         "high_y INTEGER, announced_m2 REAL, refined_at INTEGER)"},
+         "high_y INTEGER, announced_m2 REAL, decided_cells INTEGER, next_block INTEGER)"},
         {"seen", "CREATE TABLE seen(room INTEGER PRIMARY KEY)"},
         {"split_lines",
          "CREATE TABLE split_lines(seq INTEGER PRIMARY KEY, from_x INTEGER, from_y INTEGER, "

@@ -16,6 +16,10 @@ namespace {
 
 /// Changes within about this of each other are cut together.
 constexpr double kPatchM = 4.0;
+/// A room is refined when so much of it has come or gone since it was decided as a whole: while
+/// there is nothing else to do, and once after each cut.
+constexpr double kMinStale = 0.02;
+constexpr double kMuchStale = 0.1;
 /// Of the map's bounding box: 820 m a side at 5 cm.
 constexpr double kMaxCells = 268435456.0;
 double ms_since(std::chrono::steady_clock::time_point start) {
@@ -97,14 +101,19 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
     }
     note_changes(change);
     if (!change.written.empty()) note_seen(change.observed);
-    const double changed_m2 =
-        static_cast<double>(num_changed_) * options_.resolution_m * options_.resolution_m;
-    if (changed_m2 >= (rooms_.empty() ? options_.first_cut_m2 : options_.min_change_m2)) {
-        cut_again(options_.min_patch_m2, update);
-    }
+    if (is_cut_due()) cut_again(options_.min_patch_m2, update);
     update.num_leaves = map_.num_leaves();
     update.num_rooms = rooms_.size();
     return update;
+}
+
+bool Follower::is_cut_due() const {
+    const double changed_m2 =
+        static_cast<double>(num_changed_) * options_.resolution_m * options_.resolution_m;
+    if (rooms_.empty()) return changed_m2 >= options_.first_cut_m2;
+    const auto waited = static_cast<double>(num_scans_ - cut_at_);
+    return changed_m2 >= options_.min_change_m2 ||
+           changed_m2 * waited >= options_.max_wait_m2_scans;
 }
 
 FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
@@ -140,14 +149,8 @@ FollowUpdate Follower::finish() {
 }
 
 bool Follower::refine() {
-    const auto oldest = std::min_element(
-        rooms_.begin(), rooms_.end(),
-        [](const auto& p, const auto& q) { return p.second.refined_at < q.second.refined_at; });
-    if (oldest == rooms_.end() || oldest->second.refined_at > changed_at_) return false;
-    oldest->second.refined_at = ++num_cuts_;
     FollowUpdate update;
-    cut_window(oldest->second.box, update);
-    return true;
+    return refine_stalest(kMinStale, update);
 }
 
 /// Compares what is free now with what was when rooms were last cut there.
@@ -183,19 +186,22 @@ void Follower::require_room_for(Box cells) const {
 
 void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
     const auto start = std::chrono::steady_clock::now();
+    cut_at_ = num_scans_;
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
     if (options_.segment.preset == Preset::paper) {
         if (num_changed_ > 0) cut_seen_submaps(update);
         update.segment_ms = ms_since(start);
         return;
     }
+    bool is_cut = false;
     for (const Box& box : patches(changed_tiles_, options_.resolution_m)) {
         // A window before may have decided it already.
         const std::size_t count = num_changed_in(box);
         if (count == 0 || static_cast<double>(count) * cell_m2 < min_patch_m2) continue;
-        cut_window(box, update);
-        changed_at_ = num_cuts_;
+        cut_window(cells_to_decide(box), update);
+        is_cut = true;
     }
+    if (is_cut) refine_stalest(kMuchStale, update);
     update.segment_ms = ms_since(start);
 }
 

@@ -26,6 +26,9 @@ struct FollowOptions {
     double resolution_m = 0.05;
     /// Rooms are cut again when so much free space has changed.
     double min_change_m2 = 2.0;
+    /// Less is cut when it has waited long: the product of what has changed and the scans since the
+    /// last cut.
+    double max_wait_m2_scans = 100.0;
     /// The first cut waits for so much of it (the paper's Fig 9).
     double first_cut_m2 = 10.0;
     /// What has changed by less stays as it is, unless finish() is called.
@@ -84,8 +87,8 @@ public:
     FollowUpdate update_cells(const Raster<CellState>& patch);
     /// Cuts around all that has changed, however little.
     FollowUpdate finish();
-    /// Cuts once more around the room that was refined longest ago: what idle time is for. False
-    /// when every room was since the last scan that changed something.
+    /// Decides a part of a room again that has become another since: what idle time is for, in
+    /// slices that take as long as an update. False when there is none.
     bool refine();
 
     /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
@@ -132,11 +135,14 @@ private:
         std::map<std::uint32_t, std::size_t> cells_inside;
     };
 
+    [[nodiscard]] bool is_cut_due() const;
     void note_changes(const MapUpdate& update);
     void note_seen(const std::vector<Cell>& tiles);
     [[nodiscard]] std::size_t num_changed_in(const Box& box) const;
     void cut_again(double min_patch_m2, FollowUpdate& update);
-    void cut_window(const Box& changed, FollowUpdate& update);
+    void cut_window(const Box& decided, FollowUpdate& update);
+    bool refine_stalest(double min_stale, FollowUpdate& update);
+    void note_decided(const Box& decided);
     void cut_seen_submaps(FollowUpdate& update);
     /// Gives the regions of a window their ids, and all that follows from it.
     void take_over(const LocalWindow& window, const LocalCut& cut, FollowUpdate& update);
@@ -185,7 +191,8 @@ private:
     std::map<std::uint32_t, Outside> outside_;
     std::uint32_t next_id_ = 1;
     std::size_t num_cuts_ = 0;
-    std::size_t changed_at_ = 0;
+    /// The number of scans when rooms were last cut.
+    std::size_t cut_at_ = 0;
     /// Preset `paper`: submaps seen with something new since the last cut.
     std::set<std::uint32_t> seen_;
 };

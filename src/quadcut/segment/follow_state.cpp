@@ -32,8 +32,9 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
       openings_(state.openings),
       next_id_(state.next_id),
       num_cuts_(state.num_cuts),
-      changed_at_(state.changed_at),
+      cut_at_(state.cut_at),
       seen_(state.seen) {
+    if (cut_at_ > num_scans_) throw InputError("rooms were cut after the last scan");
     std::erase_if(seen_, [&](std::uint32_t room) { return rooms_.count(room) == 0; });
     for (auto& [id, room] : rooms_) {
         if (id == 0 || id >= next_id_)
@@ -96,7 +97,7 @@ FollowerState Follower::state_since_save() {
     state.num_scans = num_scans_;
     state.next_id = next_id_;
     state.num_cuts = num_cuts_;
-    state.changed_at = changed_at_;
+    state.cut_at = cut_at_;
     state.rooms = rooms_;
     state.openings = openings_;
     for (LocalOpening& opening : state.openings) {

@@ -34,8 +34,10 @@ struct FollowedRoom {
     Box box;
     /// Its area when it was last said to have grown.
     double announced_m2 = 0.0;
-    /// The number of cuts when it was last refined.
-    std::size_t refined_at = 0;
+    /// Its cells when all of it was last decided in one state of the map around.
+    std::size_t decided_cells = 0;
+    /// The next part of it to be refined.
+    std::size_t next_block = 0;
 };
 
 /// A cut that people drew: to the rooms on both sides it is a wall.
@@ -61,8 +63,8 @@ struct FollowerState {
     std::size_t num_scans = 0;
     std::uint32_t next_id = 1;
     std::size_t num_cuts = 0;
-    /// The number of cuts when something was last changed.
-    std::size_t changed_at = 0;
+    /// The number of scans when rooms were last cut.
+    std::size_t cut_at = 0;
     std::map<std::uint32_t, FollowedRoom> rooms;
     std::vector<LocalOpening> openings;
     /// Tiles with changes that are not cut yet, and the number of changed cells.
