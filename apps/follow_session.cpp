@@ -88,6 +88,8 @@ FollowUpdate FollowSession::add_next() {
     FollowUpdate update;
     try {
         update = follower_.add_scan(next());
+        update.events.insert(update.events.begin(), refined_.begin(), refined_.end());
+        refined_.clear();
         keep(update);
         last_ = update;
     } catch (const InputError& error) {
@@ -98,9 +100,18 @@ FollowUpdate FollowSession::add_next() {
     return update;
 }
 
+bool FollowSession::refine() {
+    const std::optional<FollowUpdate> update = follower_.refine();
+    if (update) refined_.insert(refined_.end(), update->events.begin(), update->events.end());
+    return update.has_value();
+}
+
 void FollowSession::finish() {
     if (position_.is_finished) return;
-    keep(follower_.finish());
+    FollowUpdate update = follower_.finish();
+    update.events.insert(update.events.begin(), refined_.begin(), refined_.end());
+    refined_.clear();
+    keep(update);
     position_.is_finished = true;
     if (project_) save();
 }

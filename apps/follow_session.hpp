@@ -37,7 +37,7 @@ public:
     /// Cuts what is left and saves; nothing when that was done before.
     void finish();
     /// While nothing else is to be done; false when there is nothing to refine.
-    bool refine() { return follower_.refine(); }
+    bool refine();
 
     /// "  1840 scans/s  5230 leaves  12 rooms  ps 14 %": what is going on.
     [[nodiscard]] std::string story() const;
@@ -58,6 +58,8 @@ private:
     store::LogPosition position_;
     std::string updates_;
     FollowUpdate last_;
+    /// What refining did since the last scan.
+    std::vector<LifeEvent> refined_;
     /// When this run began, and how far the scans were then.
     std::chrono::steady_clock::time_point begun_at_ = std::chrono::steady_clock::now();
     std::size_t num_before_ = 0;

@@ -54,8 +54,8 @@ private:
     }
     [[nodiscard]] Cell end_of(const Scan& scan, std::size_t i) const {
         const Pose& pose = scan.world_from_sensor;
-        const double angle = pose.yaw_rad + scan.first_angle_rad +
-                             scan.angle_step_rad * static_cast<double>(i);
+        const double angle =
+            pose.yaw_rad + scan.first_angle_rad + scan.angle_step_rad * static_cast<double>(i);
         return cell(along({pose.x, pose.y}, {std::cos(angle), std::sin(angle)},
                           static_cast<double>(scan.ranges_m[i])));
     }

@@ -27,9 +27,8 @@ private:
         const auto at = [&](std::size_t i) {
             return points_.begin() + static_cast<std::ptrdiff_t>(i);
         };
-        std::nth_element(at(first), at(middle), at(last), [&](Cell p, Cell q) {
-            return by_x ? p.x < q.x : p.y < q.y;
-        });
+        std::nth_element(at(first), at(middle), at(last),
+                         [&](Cell p, Cell q) { return by_x ? p.x < q.x : p.y < q.y; });
         build(first, middle, !by_x);
         build(middle + 1, last, !by_x);
     }

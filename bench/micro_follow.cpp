@@ -1,87 +1,369 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-// Follows logs and compares with the batch result on the same map.
-//   micro_follow [LOG ...]
+// Follows logs and buildings: the same answer as the batch, bounded work, ids that survive.
+//   micro_follow logs [LOG ...]     dense logs, with plots in build/follow
+//   micro_follow buildings [N]      simulated buildings (50), some in another order of scans
+//   micro_follow order [LOG ...]    sparse logs in another order
+//   micro_follow kills [N]          a followed project, killed so often (100)
+//   micro_follow locate             look-ups
+// Without a word: all of it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
-#include "bench/cases.hpp"
+#include "bench/building_case.hpp"
+#include "bench/follow_log.hpp"
 #include "io/carmen.hpp"
-#include "io/score.hpp"
-#include "quadcut/segment/follow.hpp"
-#include "quadcut/segment/segment.hpp"
+#include "io/file.hpp"
+#include "quadcut/base/random.hpp"
+#include "store/project.hpp"
 
 namespace quadcut {
 namespace {
 
-void compare(const Follower& follower, const std::vector<Point>& trajectory, const char* when) {
-    const GridMap map = follower.map().to_grid();
-    SegmentOptions options;
-    const auto start = std::chrono::steady_clock::now();
-    const Segmentation batch = segment(map, options, trajectory);
-    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
-    const Segmentation followed = follower.rooms();
-    const io::RoomScore score =
-        io::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
-    std::printf(
-        "  %s: PQ %.1f, ARI %.3f; %zu rooms followed, %zu in the batch (%.0f ms, %zu pieces)\n",
-        when, 100.0 * score.pq, score.ari, followed.rooms.size(), batch.rooms.size(), ms.count(),
-        batch.report.num_leaves);
-    std::fflush(stdout);
+std::filesystem::path logs_folder() {
+    return std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs";
 }
 
-void follow(const std::filesystem::path& log) {
-    const io::LogFile file = io::read_carmen_log(log);
-    std::printf("%s: %zu scans\n", log.filename().c_str(), file.scans.size());
-    Follower follower;
-    std::vector<Point> trajectory;
-    std::vector<double> segment_ms;
-    std::vector<double> relabelled;
-    double integrate_ms = 0.0;
-    std::size_t largest = 0;
-    std::size_t next_tenth = 1;
-    std::size_t num_events = 0;
-    for (const Scan& scan : file.scans) {
-        const FollowUpdate update = follower.add_scan(scan);
-        trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
-        integrate_ms += update.integrate_ms;
-        num_events += update.events.size();
-        if (update.segment_ms > 0.0) {
-            segment_ms.push_back(update.segment_ms);
-            relabelled.push_back(update.relabelled_m2);
-        }
-        largest = std::max(largest, update.graph_nodes);
-        if (trajectory.size() * 10 >= next_tenth * file.scans.size() && next_tenth < 10) {
-            compare(follower, trajectory, (std::to_string(next_tenth) + "/10").c_str());
-            ++next_tenth;
-        }
+std::filesystem::path output_folder() {
+    const std::filesystem::path folder = std::filesystem::path(QUADCUT_SOURCE_DIR) / "build/follow";
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+/// A value of each update in some quarters of the log (0 to 4), ascending.
+std::vector<double> sorted(const FollowedLog& log, int first, int last, bool only_cuts,
+                           const std::function<double(std::size_t)>& value) {
+    std::vector<double> values;
+    const std::size_t n = log.updates.size();
+    for (std::size_t i = n * static_cast<std::size_t>(first) / 4;
+         i < n * static_cast<std::size_t>(last) / 4; ++i) {
+        if (!only_cuts || log.updates[i].graph_nodes > 0) values.push_back(value(i));
     }
-    compare(follower, trajectory, "end");
-    follower.finish();
-    compare(follower, trajectory, "finished");
-    double sum_ms = 0.0;
-    for (const double ms : segment_ms) sum_ms += ms;
-    std::sort(segment_ms.begin(), segment_ms.end());
-    std::sort(relabelled.begin(), relabelled.end());
-    std::printf(
-        "  integrate %.0f ms, segment %.0f ms in %zu updates (median %.1f, 99 %% %.1f), "
-        "largest graph %zu, median relabelled %.2f m2, %zu events\n",
-        integrate_ms, sum_ms, segment_ms.size(), quantile(segment_ms, 0.5),
-        quantile(segment_ms, 0.99), largest, quantile(relabelled, 0.5), num_events);
+    std::sort(values.begin(), values.end());
+    return values;
 }
 
-int run(int argc, char** argv) {
-    const std::filesystem::path logs = std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs";
-    std::vector<std::string> names(argv + 1, argv + argc);
+double sum(const std::vector<double>& values) {
+    double total = 0.0;
+    for (const double value : values) total += value;
+    return total;
+}
+
+void draw(const std::string& name, const FollowedLog& log) {
+    Curve ps{"ps, %", {}};
+    Curve touched{"nodes touched / all, %", {}};
+    Curve integrate{"quadtree, ms a scan", {}};
+    Curve nodes{"local", {}};
+    Curve relabelled{"relabelled, m2 an update", {}};
+    const std::size_t step = std::max<std::size_t>(1, log.updates.size() / 800);
+    for (std::size_t i = 0; i < log.updates.size(); ++i) {
+        const FollowUpdate& update = log.updates[i];
+        const auto at = static_cast<double>(i);
+        if (update.graph_nodes > 0) {
+            nodes.points.push_back({at, static_cast<double>(update.graph_nodes)});
+            relabelled.points.push_back({at, update.relabelled_m2});
+        }
+        if (i % step != 0) continue;
+        const double all = (4.0 * static_cast<double>(update.num_leaves) - 1.0) / 3.0;
+        ps.points.push_back({at, 100.0 * update.ps});
+        touched.points.push_back({at, 100.0 * static_cast<double>(update.nodes_touched) / all});
+        integrate.points.push_back({at, update.integrate_ms});
+    }
+    const auto write = [&](const char* what, const Plot& plot) {
+        io::write_file_atomically(output_folder() / (name + "_" + what + ".svg"), to_svg(plot));
+    };
+    write("ps", {name + ": share of the tree that a scan reaches (Fig 13)",
+                 "scan",
+                 "%",
+                 {ps, touched},
+                 100.0});
+    write("kd_tree",
+          {name + ": a scan into the map (Fig 13)", "scan", "ms", {integrate, log.kd_tree_ms}});
+    write("matrix",
+          {name + ": size of the matrix (Fig 14)", "scan", "nodes", {nodes, log.batch_nodes}});
+    write("ids", {name + ": stability", "scan", "", {relabelled, log.switches}});
+    write("memory", {name + ": memory", "scan", "bytes a m2", {log.bytes_per_m2}});
+}
+
+void report(const std::string& name, const FollowedLog& log) {
+    const auto line = [](const char* what, const Agreement& agreement) {
+        std::printf("  %s: PQ %.1f, ARI %.3f, %zu rooms (batch %zu)\n", what, agreement.pq,
+                    agreement.ari, agreement.num_rooms, agreement.num_batch_rooms);
+    };
+    std::printf("%s: %zu scans, %.0f m2\n  tenths, PQ:", name.c_str(), log.updates.size(),
+                log.mapped_m2);
+    for (const Agreement& tenth : log.tenths) std::printf(" %.0f", tenth.pq);
+    std::printf("\n");
+    line("after the last scan", log.at_end);
+    line("finished", log.finished);
+    const auto nodes = [&](std::size_t i) {
+        return static_cast<double>(log.updates[i].graph_nodes);
+    };
+    const std::vector<double> second = sorted(log, 1, 2, true, nodes);
+    const std::vector<double> last = sorted(log, 3, 4, true, nodes);
+    std::printf(
+        "  local graph: largest in the last quarter %.0f = %.0f %% of the batch's %zu nodes; "
+        "99 %% of it %.0f, of the second quarter %.0f: %.2f x\n",
+        quantile(last, 1.0),
+        100.0 * quantile(last, 1.0) / static_cast<double>(log.at_end.batch_nodes),
+        log.at_end.batch_nodes, quantile(last, 0.99), quantile(second, 0.99),
+        quantile(last, 0.99) / std::max(quantile(second, 0.99), 1.0));
+    const double cast_ms = sum(log.ray_caster_ms);
+    const auto ms = [&](std::size_t i) { return log.updates[i].segment_ms; };
+    const auto ratio = [&](int first, int end) {
+        // Single scans are too short to be timed well: against the mean of their quarter.
+        const std::vector<double> cast =
+            sorted(log, first, end, false, [&](std::size_t i) { return log.ray_caster_ms[i]; });
+        return quantile(sorted(log, first, end, true, ms), 0.99) /
+               (sum(cast) / static_cast<double>(std::max<std::size_t>(1, cast.size())));
+    };
+    std::printf(
+        "  cuts: %zu, median %.0f ms, 99 %% %.0f ms; 99 %% over the ray caster's scan, second and "
+        "last quarter: %.0f, %.0f (%.2f x)\n",
+        sorted(log, 0, 4, true, ms).size(), quantile(sorted(log, 0, 4, true, ms), 0.5),
+        quantile(sorted(log, 0, 4, true, ms), 0.99), ratio(1, 2), ratio(3, 4),
+        ratio(3, 4) / ratio(1, 2));
+    const double integrate_ms =
+        sum(sorted(log, 0, 4, false, [&](std::size_t i) { return log.updates[i].integrate_ms; }));
+    std::printf("  integration: %.2f x the ray caster (%.0f ms, %.0f ms)\n", integrate_ms / cast_ms,
+                integrate_ms, cast_ms);
+    std::printf("  followed in %.1f s, %.0f x real time\n", log.follow_s,
+                log.log_s / std::max(log.follow_s, 1e-9));
+    const std::vector<double> ps =
+        sorted(log, 0, 4, false, [&](std::size_t i) { return 100.0 * log.updates[i].ps; });
+    const std::vector<double> touched = sorted(log, 0, 4, false, [&](std::size_t i) {
+        const FollowUpdate& update = log.updates[i];
+        return 100.0 * static_cast<double>(update.nodes_touched) /
+               ((4.0 * static_cast<double>(update.num_leaves) - 1.0) / 3.0);
+    });
+    const auto below = static_cast<double>(
+        std::count_if(ps.begin(), ps.end(), [](double share) { return share <= 25.0; }));
+    double kd_ms = 0.0;
+    for (const Point& point : log.kd_tree_ms.points) kd_ms += point.y;
+    kd_ms /= static_cast<double>(std::max<std::size_t>(1, log.kd_tree_ms.points.size()));
+    const auto num_scans = static_cast<double>(log.updates.size());
+    std::printf(
+        "  ps: median %.0f %%, at most 25 %% in %.0f %% of the scans; nodes touched: median %.1f "
+        "%%; KD-tree built anew: %.2f ms a scan, quadtree %.3f ms\n",
+        quantile(ps, 0.5), 100.0 * below / num_scans, quantile(touched, 0.5), kd_ms,
+        integrate_ms / num_scans);
+    const std::vector<double> relabelled =
+        sorted(log, 0, 4, true, [&](std::size_t i) { return log.updates[i].relabelled_m2; });
+    std::printf("  id switches in 100 scans: %.2f; relabelled by a cut: median %.2f m2, %.2f %%\n",
+                static_cast<double>(log.num_switches) /
+                    static_cast<double>(std::max<std::size_t>(1, log.switches.points.size())),
+                quantile(relabelled, 0.5), 100.0 * quantile(relabelled, 0.5) / log.mapped_m2);
+    std::printf("  bytes a m2:");
+    for (std::size_t i = 1; i < log.bytes_per_m2.points.size(); i += 4) {
+        std::printf(" %.0f", log.bytes_per_m2.points[i].y);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+    draw(name, log);
+}
+
+void follow_logs(std::vector<std::string> names) {
     if (names.empty()) {
         names = {"intel_dense.log.gz", "mit_csail_dense.log.gz", "aces_dense.log.gz",
                  "mit_killian_dense.log.gz"};
     }
-    for (const std::string& name : names) follow(logs / name);
+    for (const std::string& name : names) {
+        const io::LogFile file = io::read_carmen_log(logs_folder() / name);
+        report(name.substr(0, name.find('.')), follow_log_of(file.scans));
+    }
+    std::printf("Plots: build/follow\n");
+}
+
+
+/// PQ between the rooms of the scans and of the same scans in another order. Both maps cover the
+/// same cells but for a few at their edges.
+double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
+    std::vector<Scan> shuffled = scans;
+    Random random(seed);
+    for (std::size_t i = shuffled.size(); i > 1; --i) {
+        std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+    }
+    Follower one;
+    Follower other;
+    for (const Scan& scan : scans) one.add_scan(scan);
+    for (const Scan& scan : shuffled) other.add_scan(scan);
+    one.finish();
+    other.finish();
+    Box box = one.map().to_raster().box();
+    box.include(other.map().to_raster().box());
+    Raster<std::uint32_t> a(box);
+    Raster<std::uint32_t> b(box);
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        a.values[i] = one.room_cells().room(a.cell(i));
+        b.values[i] = other.room_cells().room(b.cell(i));
+    }
+    return 100.0 * io::score_rooms(as_label_image(a), as_label_image(b)).pq;
+}
+
+void follow_buildings(std::size_t count) {
+    constexpr std::size_t kNumShuffled = 10;
+    struct Result {
+        Agreement agreement;
+        double shuffled_pq = -1.0;
+    };
+    const std::vector<Result> results = run_cases<Result>(count, [&](std::size_t i) {
+        BuildingCase chosen = building_case(i);
+        chosen.is_scanned = true;
+        sim::BuildingOptions options;
+        options.seed = chosen.seed;
+        options.num_rooms = chosen.num_rooms;
+        options.furniture = chosen.furniture;
+        options.yaw_rad = chosen.is_turned ? 0.3 : 0.0;
+        options.turned_wings = chosen.is_turned ? 0.5 : 0.0;
+        const sim::Building building = sim::generate_building(options);
+        sim::RobotOptions robot;
+        robot.seed = chosen.seed;
+        const std::vector<Scan> scans =
+            sim::explore(building.map, sim::start_pose(building), robot).scans;
+        FollowOptions follow;
+        follow.segment.num_threads = 1;
+        Follower follower(follow);
+        std::vector<Point> way;
+        for (const Scan& scan : scans) {
+            follower.add_scan(scan);
+            way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
+        }
+        Result result{compare_with_batch(follower, way, follow.segment)};
+        if (i < kNumShuffled) result.shuffled_pq = pq_in_another_order(scans, i);
+        return result;
+    });
+    std::vector<double> pq;
+    std::vector<double> ari;
+    std::vector<double> shuffled;
+    for (const Result& result : results) {
+        pq.push_back(result.agreement.pq);
+        ari.push_back(result.agreement.ari);
+        if (result.shuffled_pq >= 0.0) shuffled.push_back(result.shuffled_pq);
+    }
+    std::sort(pq.begin(), pq.end());
+    std::sort(ari.begin(), ari.end());
+    std::sort(shuffled.begin(), shuffled.end());
+    const auto mean = [](const std::vector<double>& values) {
+        return sum(values) / static_cast<double>(std::max<std::size_t>(1, values.size()));
+    };
+    std::printf(
+        "%zu simulated buildings, after the last scan: PQ mean %.1f, median %.1f, least %.1f, "
+        "%td below 96; ARI mean %.3f, least %.3f\n",
+        count, mean(pq), quantile(pq, 0.5), quantile(pq, 0.0),
+        std::lower_bound(pq.begin(), pq.end(), 96.0) - pq.begin(), mean(ari), quantile(ari, 0.0));
+    std::printf("  scans in another order, %zu of them: PQ mean %.1f, least %.1f\n",
+                shuffled.size(), mean(shuffled), quantile(shuffled, 0.0));
+    std::fflush(stdout);
+}
+
+void follow_in_another_order(std::vector<std::string> names) {
+    if (names.empty()) names = {"intel.log", "mit_csail.log", "aces.log"};
+    for (const std::string& name : names) {
+        const io::LogFile file = io::read_carmen_log(logs_folder() / name);
+        std::printf("%s, scans in another order: PQ %.1f\n", name.c_str(),
+                    pq_in_another_order(file.scans, 1));
+        std::fflush(stdout);
+    }
+}
+
+/// The bytes of a result's files, without times.
+std::map<std::string, std::string> untimed(const std::filesystem::path& folder) {
+    static const std::regex kTimes(R"("[a-z_]*_ms": ?(\{[^}]*\}|[^,}\n]*))");
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        files[entry.path().filename()] =
+            std::regex_replace(io::read_file(entry.path()), kTimes, "");
+    }
+    return files;
+}
+
+void kill_often(std::size_t count) {
+    const std::filesystem::path folder = output_folder() / "kills";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    const std::string program =
+        (std::filesystem::path(QUADCUT_SOURCE_DIR) / "build/release/quadcut").string();
+    const auto run = [&](const std::string& words) {
+        return std::system(
+            ("cd '" + folder.string() + "' && " + words + " >/dev/null 2>&1").c_str());
+    };
+    run(program + " simulate -o sim --seed 2 --rooms 10");
+    const std::string follow = program + " follow sim/robot.log --quiet -o ";
+    const auto start = std::chrono::steady_clock::now();
+    run(follow + "whole");
+    const double whole_s = follow_log::ms_since(start) / 1000.0;
+    Random random(static_cast<std::uint64_t>(start.time_since_epoch().count()));
+    std::size_t num_kills = 0;
+    std::size_t num_differing = 0;
+    std::size_t num_damaged = 0;
+    std::size_t num_runs = 0;
+    while (num_kills < count) {
+        ++num_runs;
+        for (const char* name : {"p", "p-wal", "p-shm", "p.new"}) {
+            std::filesystem::remove(folder / name);
+        }
+        std::filesystem::remove_all(folder / "out");
+        for (;;) {
+            const double after_s = random.uniform(0.001, 0.6 * whole_s);
+            const int status = run("timeout -s KILL " + std::to_string(after_s) + " " + follow +
+                                   "out --project p");
+            if (status == 0) break;
+            ++num_kills;
+            if (!std::filesystem::exists(folder / "p")) continue;
+            try {
+                const store::Project project(folder / "p", store::Access::read);
+                if (project.integrity() != "ok") ++num_damaged;
+                static_cast<void>(project.follower());
+            } catch (const std::exception& error) {
+                std::printf("  %s\n", error.what());
+                ++num_damaged;
+            }
+        }
+        if (untimed(folder / "out") != untimed(folder / "whole")) ++num_differing;
+    }
+    std::printf("killed %zu times in %zu runs: %zu files damaged, %zu results differ\n", num_kills,
+                num_runs, num_damaged, num_differing);
+    std::fflush(stdout);
+}
+
+void locate_often() {
+    const sim::Building building = map_building(building_case(6)).building;
+    Follower follower;
+    follower.update_cells(building.map.states);
+    Random random(1);
+    constexpr std::size_t kCount = 1000000;
+    std::vector<Point> points(kCount);
+    for (Point& point : points) {
+        point = {random.uniform(0.0, building.map.states.width * 0.05),
+                 random.uniform(0.0, building.map.states.height * 0.05)};
+    }
+    std::size_t checksum = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (const Point& point : points) checksum += index(follower.room_at(point));
+    const double ms = follow_log::ms_since(start);
+    std::printf("locate: %.0f ns a point (%zu points, checksum %zu)\n",
+                1e6 * ms / static_cast<double>(kCount), kCount, checksum);
+}
+
+int run(int argc, char** argv) {
+    const std::string what = argc > 1 ? argv[1] : "";
+    const std::vector<std::string> rest(argv + std::min(argc, 2), argv + argc);
+    const auto number = [&](std::size_t otherwise) {
+        return rest.empty() ? otherwise : static_cast<std::size_t>(std::atol(rest[0].c_str()));
+    };
+    if (what.empty() || what == "locate") locate_often();
+    if (what.empty() || what == "buildings") follow_buildings(number(50));
+    if (what.empty() || what == "order") follow_in_another_order(rest);
+    if (what.empty() || what == "logs") follow_logs(rest);
+    if (what.empty() || what == "kills") kill_often(number(100));
     return 0;
 }
 

@@ -48,8 +48,8 @@ inline std::string number(double value) {
 
 inline std::string text(double x, double y, const char* anchor, const std::string& words,
                         const char* color = "#333") {
-    return "<text x='" + number(x) + "' y='" + number(y) + "' text-anchor='" + anchor +
-           "' fill='" + color + "'>" + words + "</text>\n";
+    return "<text x='" + number(x) + "' y='" + number(y) + "' text-anchor='" + anchor + "' fill='" +
+           color + "'>" + words + "</text>\n";
 }
 
 /// A round number of about a fifth of the range.
@@ -102,8 +102,8 @@ inline double tick(double range) {
     for (std::size_t i = plot.curves.size(); i-- > 0;) {
         const Curve& curve = plot.curves[i];
         const char* color = plot::kColors[i % plot::kColors.size()];
-        svg += "<polyline fill='none' stroke='" + std::string(color) +
-               "' stroke-width='1.2' points='";
+        svg +=
+            "<polyline fill='none' stroke='" + std::string(color) + "' stroke-width='1.2' points='";
         for (const Point& point : curve.points) {
             svg += number(px(point.x)) + "," + number(py(point.y)) + " ";
         }

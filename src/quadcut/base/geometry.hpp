@@ -42,6 +42,10 @@ struct Box {
     [[nodiscard]] bool contains(Cell cell) const {
         return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
     }
+    /// With so many cells more on each side.
+    [[nodiscard]] Box grown(std::int32_t by) const {
+        return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
+    }
     /// Grows to the smallest box that holds `other` too, which is not empty.
     void include(const Box& other) {
         if (is_empty()) *this = other;

@@ -148,9 +148,13 @@ FollowUpdate Follower::finish() {
     return update;
 }
 
-bool Follower::refine() {
+std::optional<FollowUpdate> Follower::refine() {
     FollowUpdate update;
-    return refine_stalest(kMinStale, update);
+    if (!refine_stalest(kMinStale, update)) return std::nullopt;
+    update.scan = num_scans_;
+    update.num_leaves = map_.num_leaves();
+    update.num_rooms = rooms_.size();
+    return update;
 }
 
 /// Compares what is free now with what was when rooms were last cut there.
@@ -214,6 +218,10 @@ std::size_t Follower::num_changed_in(const Box& box) const {
         if (at->first.second >= low.y && at->first.second <= high.y) count += at->second;
     }
     return count;
+}
+
+std::int32_t Follower::in_cells(double length_m) const {
+    return static_cast<std::int32_t>(std::ceil(length_m / options_.resolution_m));
 }
 
 RoomId Follower::room_at(const Point& point) const {

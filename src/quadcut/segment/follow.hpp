@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -88,8 +89,8 @@ public:
     /// Cuts around all that has changed, however little.
     FollowUpdate finish();
     /// Decides a part of a room again that has become another since: what idle time is for, in
-    /// slices that take as long as an update. False when there is none.
-    bool refine();
+    /// slices that take as long as an update. Nothing when there is none.
+    std::optional<FollowUpdate> refine();
 
     /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
     /// does not exist or the edit cannot be made, and say why.
@@ -109,6 +110,7 @@ public:
     [[nodiscard]] RoomId room_at(const Point& point) const;
     /// By id.
     [[nodiscard]] const std::map<std::uint32_t, FollowedRoom>& followed() const { return rooms_; }
+    [[nodiscard]] const RoomCells& room_cells() const { return cells_; }
     [[nodiscard]] const std::vector<SplitLine>& split_lines() const { return split_lines_; }
     /// The rooms on the cells of map().to_grid(), with doors. O(map).
     [[nodiscard]] Segmentation rooms() const;
@@ -169,6 +171,7 @@ private:
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
     /// Throws InputError when the map would span too many cells.
     void require_room_for(Box cells) const;
+    [[nodiscard]] std::int32_t in_cells(double length_m) const;
     [[nodiscard]] std::uint32_t existing(RoomId room) const;
     void add_split_line(const SplitLine& line);
     void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;

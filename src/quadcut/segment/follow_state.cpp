@@ -15,10 +15,6 @@ OccupancyMap empty_map(const FollowOptions& options, const FollowerState& state)
     return OccupancyMap(options.resolution_m, {}, *state.root);
 }
 
-Box grown(const Box& box, std::int32_t by) {
-    return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
-}
-
 bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(cell); }
 
 }  // namespace
@@ -82,7 +78,7 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
     for (const SplitLine& line : state.split_lines) {
         // The ends lie in walls, which need not be seen.
         Box around = written_;
-        if (!around.is_empty()) around = grown(around, 100);
+        if (!around.is_empty()) around = around.grown(100);
         if (!holds(around, line.from) || !holds(around, line.to)) {
             throw InputError("a cut by hand lies outside of the map");
         }

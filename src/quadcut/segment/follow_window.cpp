@@ -20,16 +20,8 @@ constexpr double kGrownM2 = 2.0;
 /// Rooms with cells this near to a change are cut again, as far as this from it.
 constexpr double kTouchedM = 1.0;
 constexpr double kFarM = 20.0;
-/// A room is refined in blocks of this side.
-constexpr double kBlockM = 20.0;
 /// What lies farther than this from a cell plays next to no part in what is decided there.
 constexpr double kContextM = 10.0;
-constexpr double kNearM = 5.0;
-
-Box grown(const Box& box, double by_m, double resolution_m) {
-    const auto cells = static_cast<std::int32_t>(std::ceil(by_m / resolution_m));
-    return {{box.low.x - cells, box.low.y - cells}, {box.high.x + cells, box.high.y + cells}};
-}
 
 std::string square_metres(double area_m2) {
     return std::to_string(static_cast<long>(std::lround(area_m2))) + " m^2";
@@ -40,9 +32,9 @@ std::string square_metres(double area_m2) {
 /// All that changed and what the door model sees from there, and the rooms that it touches: what is
 /// known of them now may be more than when they were cut. Of a large room only what is near.
 Box Follower::cells_to_decide(const Box& changed) const {
-    const Box near = grown(changed, kNearM, options_.resolution_m);
-    const Box touched = grown(changed, kTouchedM, options_.resolution_m);
-    const Box far = grown(changed, kFarM, options_.resolution_m);
+    const Box near = changed.grown(in_cells(kNarrowingReachM));
+    const Box touched = changed.grown(in_cells(kTouchedM));
+    const Box far = changed.grown(in_cells(kFarM));
     std::set<std::uint32_t> rooms;
     for (std::int32_t y = touched.low.y; y <= touched.high.y; ++y) {
         for (std::int32_t x = touched.low.x; x <= touched.high.x; ++x) {
@@ -61,7 +53,7 @@ Box Follower::cells_to_decide(const Box& changed) const {
 /// Locked rooms and the lines where people cut are walls to what is around them.
 LocalWindow Follower::read_window(const Box& decided) const {
     // Nothing is known outside of what was written.
-    const Box around = grown(decided, kContextM, options_.resolution_m);
+    const Box around = decided.grown(in_cells(kContextM));
     const Box box{
         {std::max(around.low.x, written_.low.x - 1), std::max(around.low.y, written_.low.y - 1)},
         {std::min(around.high.x, written_.high.x + 1),
@@ -103,47 +95,6 @@ void Follower::cut_window(const Box& decided, FollowUpdate& update) {
     fill_split_lines(window, cut);
     take_over(window, cut, update);
     note_decided(decided);
-}
-
-/// What a decision goes by may lie farther from a change than a window reaches: the area of a room,
-/// and its other doors. So rooms that have become others are decided again, a block at a time.
-bool Follower::refine_stalest(double min_stale, FollowUpdate& update) {
-    std::uint32_t stalest = 0;
-    for (const auto& [id, room] : rooms_) {
-        const auto larger = static_cast<double>(std::max(room.num_cells, room.decided_cells));
-        const auto smaller = static_cast<double>(std::min(room.num_cells, room.decided_cells));
-        const double stale = 1.0 - smaller / larger;
-        if (room.is_locked || stale < min_stale) continue;
-        min_stale = stale;
-        stalest = id;
-    }
-    if (stalest == 0) return false;
-    FollowedRoom& room = rooms_.at(stalest);
-    const auto side = static_cast<std::int32_t>(kBlockM / options_.resolution_m);
-    const std::int32_t columns = (room.box.width() + side - 1) / side;
-    const std::int32_t rows = (room.box.height() + side - 1) / side;
-    const auto num_blocks = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    const auto block = static_cast<std::int32_t>(room.next_block % num_blocks);
-    const Cell low{room.box.low.x + block % columns * side,
-                   room.box.low.y + block / columns * side};
-    const Box part{
-        low,
-        {std::min(low.x + side - 1, room.box.high.x), std::min(low.y + side - 1, room.box.high.y)}};
-    ++room.next_block;
-    if (room.next_block >= num_blocks) {
-        room.next_block = 0;
-        room.decided_cells = room.num_cells;
-    }
-    cut_window(grown(part, kNearM, options_.resolution_m), update);
-    return true;
-}
-
-void Follower::note_decided(const Box& decided) {
-    for (auto& [id, room] : rooms_) {
-        if (!decided.contains(room.box.low) || !decided.contains(room.box.high)) continue;
-        room.decided_cells = room.num_cells;
-        room.next_block = 0;
-    }
 }
 
 void Follower::take_over(const LocalWindow& window, const LocalCut& cut, FollowUpdate& update) {

@@ -103,8 +103,113 @@ TEST(Follower, AScanThatCannotBeUsedChangesNothing) {
 TEST(Follower, NothingSeenIsNoRoom) {
     Follower follower;
     EXPECT_EQ(follower.finish().num_rooms, 0U);
-    EXPECT_FALSE(follower.refine());
+    EXPECT_FALSE(follower.refine().has_value());
     EXPECT_TRUE(follower.rooms().rooms.empty());
+}
+
+TEST(Follower, RefinesWhileThereIsTimeAndThenIsDone) {
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    Follower follower;
+    for (std::size_t i = 0; i < scans.size() / 2; ++i) follower.add_scan(scans[i]);
+    // In slices, each of which a scan may follow.
+    std::size_t num_slices = 0;
+    while (follower.refine() && num_slices < 100) ++num_slices;
+    EXPECT_LT(num_slices, 100U);
+    follower.finish();
+    const Segmentation refined = follower.rooms();
+    const Segmentation batch = segment(follower.map().to_grid(), {}, {});
+    EXPECT_GT(io::score_rooms(image_of(refined.labels), image_of(batch.labels)).pq, 0.95);
+    for (std::size_t i = scans.size() / 2; i < scans.size(); ++i) follower.add_scan(scans[i]);
+}
+
+TEST(Follower, PresetPaperIsFollowedScanByScan) {
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    Follower follower(options);
+    OccupancyMap map(options.resolution_m);
+    std::size_t num_cuts = 0;
+    for (std::size_t i = 0; i < 30; ++i) {
+        const FollowUpdate update = follower.add_scan(scans[i]);
+        integrate_scan(map, scans[i], latest_scan_wins());
+        if (update.graph_nodes > 0) ++num_cuts;
+        EXPECT_LE(update.graph_nodes, update.num_leaves);
+    }
+    EXPECT_GT(num_cuts, 1U);
+    EXPECT_EQ(follower.map().to_raster().values, map.to_raster().values) << "one miss clears";
+    const Segmentation rooms = follower.rooms();
+    ASSERT_GT(rooms.rooms.size(), 0U);
+    const Raster<CellState> states = follower.map().to_grid().states;
+    std::size_t num_free = 0;
+    std::size_t num_in_rooms = 0;
+    for (std::size_t i = 0; i < states.values.size(); ++i) {
+        if (states.values[i] != CellState::free) continue;
+        ++num_free;
+        if (rooms.labels.values[i] != 0) ++num_in_rooms;
+    }
+    EXPECT_GT(10 * num_in_rooms, 8 * num_free);
+}
+
+TEST(Follower, ALoopClosureReplayedWithCorrectedPosesKeepsIds) {
+    const std::vector<Scan> scans = scans_in(small_building(5));
+    Follower follower;
+    for (const Scan& scan : scans) follower.add_scan(scan);
+    follower.finish();
+    const std::set<RoomId> before = ids_of(follower.rooms());
+    ASSERT_GT(before.size(), 3U);
+    // The poses are corrected, the more the later they are; the map is made anew, and comes as one
+    // patch of everything.
+    OccupancyMap corrected(0.05);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        Scan scan = scans[i];
+        const double share = static_cast<double>(i) / static_cast<double>(scans.size());
+        scan.world_from_sensor.x += 0.12 * share;
+        scan.world_from_sensor.y -= 0.08 * share;
+        integrate_scan(corrected, scan);
+    }
+    Raster<CellState> patch(follower.map().to_raster().box(), CellState::unknown);
+    Box box = patch.box();
+    box.include(corrected.to_raster().box());
+    patch = Raster<CellState>(box, CellState::unknown);
+    for (std::size_t i = 0; i < patch.values.size(); ++i) {
+        patch.values[i] = corrected.state(patch.cell(i));
+    }
+    follower.update_cells(patch);
+    const std::set<RoomId> after = ids_of(follower.rooms());
+    std::size_t num_kept = 0;
+    for (const RoomId id : before) num_kept += after.count(id);
+    EXPECT_GE(num_kept + 1, before.size()) << num_kept << " of " << before.size();
+}
+
+TEST(Follower, StampsThatRepeatOrRunBackwardsAndOtherBeamsAreFollowed) {
+    std::vector<Scan> scans = scans_in(small_building(3));
+    scans.resize(60);
+    Follower plain;
+    for (const Scan& scan : scans) plain.add_scan(scan);
+    Follower odd;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        Scan scan = scans[i];
+        scan.time_s = i % 3 == 0 ? 5.0 : -static_cast<double>(i);
+        odd.add_scan(scan);
+    }
+    EXPECT_EQ(odd.rooms().labels.values, plain.rooms().labels.values) << "stamps play no part";
+    // Every other beam is missing: a coarser scanner.
+    Scan coarse = scans.back();
+    std::vector<float> ranges;
+    for (std::size_t i = 0; i < coarse.ranges_m.size(); i += 2) {
+        ranges.push_back(coarse.ranges_m[i]);
+    }
+    coarse.ranges_m = ranges;
+    coarse.angle_step_rad *= 2.0;
+    EXPECT_NO_THROW(odd.add_scan(coarse));
+    // A jump of 100 m is a place far away; what was there stays.
+    const std::set<RoomId> before = ids_of(odd.rooms());
+    Scan jump = scans.back();
+    jump.world_from_sensor.x += 100.0;
+    odd.add_scan(jump);
+    odd.finish();
+    const std::set<RoomId> after = ids_of(odd.rooms());
+    for (const RoomId id : before) EXPECT_EQ(after.count(id), 1U);
 }
 
 TEST(Follower, AWallThatGoesUpSplitsARoomAndOneThatGoesDownMergesThem) {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "quadcut/base/error.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/segment/follow.hpp"
+
+// The bytes are a sequence of scans, patches, edits, saves and loads. Beside the follower goes a
+// plain model: the log-odds of each cell, the ids that were ever given, and what was saved.
+
+namespace {
+
+using quadcut::Cell;
+using quadcut::RoomId;
+
+constexpr std::int32_t kReach = 80;
+constexpr double kResolutionM = 0.1;
+
+void require(bool is_so) {
+    if (!is_so) __builtin_trap();
+}
+
+class Bytes {
+public:
+    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+
+    [[nodiscard]] bool is_empty() const { return size_ == 0; }
+    std::uint8_t byte() {
+        if (size_ == 0) return 0;
+        --size_;
+        return *data_++;
+    }
+    /// -6.4 .. 6.35 m.
+    double metres() { return (static_cast<int>(byte()) - 128) * 0.05; }
+    Cell cell() { return {byte() % 128 - 64, byte() % 128 - 64}; }
+
+private:
+    const std::uint8_t* data_;
+    std::size_t size_;
+};
+
+quadcut::FollowOptions options() {
+    quadcut::FollowOptions options;
+    options.resolution_m = kResolutionM;
+    options.segment.num_threads = 1;
+    options.first_cut_m2 = 4.0;
+    return options;
+}
+
+class Fuzz {
+public:
+    explicit Fuzz(Bytes bytes) : bytes_(bytes), follower_(options()) {}
+
+    void run() {
+        for (int i = 0; i < 40 && !bytes_.is_empty(); ++i) {
+            switch (bytes_.byte() % 8) {
+                case 0:
+                case 1:
+                    scan();
+                    break;
+                case 2:
+                case 3:
+                    patch();
+                    break;
+                case 4:
+                    edit();
+                    break;
+                case 5:
+                    note(follower_.finish());
+                    break;
+                case 6:
+                    if (const auto update = follower_.refine()) note(*update);
+                    break;
+                default:
+                    save_and_load();
+            }
+            check();
+        }
+    }
+
+private:
+    void scan() {
+        quadcut::Scan scan;
+        scan.world_from_sensor = {bytes_.metres() / 3.0, bytes_.metres() / 3.0, bytes_.metres()};
+        scan.angle_step_rad = 0.1;
+        scan.max_range_m = 8.0;
+        scan.ranges_m.resize(bytes_.byte() % 64);
+        for (float& range : scan.ranges_m) range = static_cast<float>(bytes_.byte()) * 0.02F;
+        const auto evidence = quadcut::evidence_of(follower_.map(), scan);
+        note(follower_.add_scan(scan));
+        const quadcut::IntegrateOptions how;
+        for (const quadcut::TileEvidence& one : evidence) {
+            const Cell low = quadcut::first_cell_of(one.tile);
+            for (std::size_t i = 0; i < quadcut::kTileCells; ++i) {
+                const int delta = (one.hit >> i & 1) != 0    ? how.hit
+                                  : (one.miss >> i & 1) != 0 ? how.miss
+                                                             : 0;
+                if (delta == 0) continue;
+                int& value = log_odds_[{low.x + static_cast<std::int32_t>(i % 8),
+                                        low.y + static_cast<std::int32_t>(i / 8)}];
+                value = quadcut::bounded_sum(value, delta);
+            }
+        }
+    }
+
+    void patch() {
+        const Cell low = bytes_.cell();
+        const std::int32_t width = 1 + bytes_.byte() % 64;
+        const std::int32_t height = 1 + bytes_.byte() % 64;
+        const auto state = static_cast<quadcut::CellState>(bytes_.byte() % 3);
+        note(follower_.update_cells({low, width, height, state}));
+        for (std::int32_t y = 0; y < height; ++y) {
+            for (std::int32_t x = 0; x < width; ++x) {
+                log_odds_[{low.x + x, low.y + y}] = quadcut::log_odds_of(state);
+            }
+        }
+    }
+
+    RoomId some_room() {
+        const auto& rooms = follower_.followed();
+        if (rooms.empty()) return RoomId{bytes_.byte()};
+        auto at = rooms.begin();
+        std::advance(at, bytes_.byte() % rooms.size());
+        return RoomId{at->first};
+    }
+
+    void edit() {
+        try {
+            switch (bytes_.byte() % 4) {
+                case 0:
+                    follower_.rename(some_room(), std::string(1, static_cast<char>(bytes_.byte())));
+                    break;
+                case 1: {
+                    const RoomId room = some_room();
+                    note(follower_.merge(room, some_room()));
+                    break;
+                }
+                case 2: {
+                    const quadcut::Point from{bytes_.metres(), bytes_.metres()};
+                    note(follower_.split(from, {bytes_.metres(), bytes_.metres()}));
+                    break;
+                }
+                default: {
+                    const RoomId room = some_room();
+                    follower_.lock(room);
+                    locked_cells_[quadcut::index(room)] =
+                        follower_.followed().at(static_cast<std::uint32_t>(room)).num_cells;
+                }
+            }
+        } catch (const quadcut::InputError&) {
+        }
+    }
+
+    void save_and_load() {
+        const quadcut::FollowerState changes = follower_.state_since_save();
+        for (const quadcut::FollowedTile& tile : changes.tiles) {
+            saved_[{tile.tile.y, tile.tile.x}] = tile;
+        }
+        quadcut::FollowerState state = changes;
+        state.tiles.clear();
+        for (const auto& [at, tile] : saved_) state.tiles.push_back(tile);
+        follower_ = quadcut::Follower(options(), state);
+    }
+
+    void note(const quadcut::FollowUpdate& update) {
+        for (const quadcut::LifeEvent& event : update.events) {
+            const bool is_new =
+                event.life == quadcut::RoomLife::born || event.life == quadcut::RoomLife::split;
+            const auto id = static_cast<std::uint32_t>(event.room);
+            if (is_new) require(ids_.insert(id).second);
+        }
+    }
+
+    void check() {
+        std::map<std::uint32_t, std::size_t> cells;
+        for (std::int32_t y = -2 * kReach; y < 2 * kReach; ++y) {
+            for (std::int32_t x = -2 * kReach; x < 2 * kReach; ++x) {
+                const auto found = log_odds_.find({x, y});
+                const int expected = found == log_odds_.end() ? 0 : found->second;
+                require(follower_.map().log_odds({x, y}) == expected);
+                const std::uint32_t room = follower_.room_cells().room({x, y});
+                if (room != 0) ++cells[room];
+            }
+        }
+        require(cells.size() == follower_.num_rooms());
+        for (const auto& [id, room] : follower_.followed()) {
+            require(cells[id] == room.num_cells && room.num_cells > 0);
+            require(!room.is_locked || locked_cells_.at(id) == room.num_cells);
+        }
+        require(follower_.map().leaves().size() == follower_.map().num_leaves());
+        static_cast<void>(follower_.rooms());
+    }
+
+    Bytes bytes_;
+    quadcut::Follower follower_;
+    std::map<std::pair<std::int32_t, std::int32_t>, int> log_odds_;
+    std::map<std::pair<std::int32_t, std::int32_t>, quadcut::FollowedTile> saved_;
+    std::set<std::uint32_t> ids_;
+    std::map<std::size_t, std::size_t> locked_cells_;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Fuzz(Bytes(data, size)).run();
+    return 0;
+}
