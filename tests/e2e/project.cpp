@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -167,6 +169,91 @@ TEST(ProjectFile, ALogThatEndsInTheMiddleOfALineIsFollowedUpToThere) {
     const Outcome outcome = run_quadcut({"follow", log, "-o", folder / "out"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("cut.log"));
+}
+
+/// A ROBOTLASER1 line in words: [8] is the number of ranges, which follow.
+std::vector<std::string> words_of(const std::string& line) {
+    std::istringstream words(line);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::string line_of(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += word + " ";
+    return line + "\n";
+}
+
+TEST(FollowCommand, OddLinesAreCountedAndTheRestIsFollowed) {
+    const Folder folder;
+    std::istringstream lines(read_bytes(simulated_log(folder, "2")));
+    std::string odd;
+    std::size_t i = 0;
+    for (std::string line; std::getline(lines, line); ++i) {
+        std::vector<std::string> words = words_of(line);
+        if (words.empty() || words[0] != "ROBOTLASER1") {
+            odd += line + "\n";
+            continue;
+        }
+        const std::size_t count = std::stoul(words[8]);
+        const std::size_t pose = 9 + count + 1;
+        const std::string stamp = words[words.size() - 1];
+        switch (i % 40) {
+            case 11:  // no pose
+                words[pose] = "nan";
+                break;
+            case 13:  // no ranges
+                words.erase(words.begin() + 9, words.begin() + 9 + static_cast<long>(count));
+                words[8] = "0";
+                break;
+            case 17: {  // every other beam
+                std::vector<std::string> fewer(words.begin(), words.begin() + 9);
+                for (std::size_t k = 0; k < count; k += 2) fewer.push_back(words[9 + k]);
+                fewer[8] = std::to_string(fewer.size() - 9);
+                fewer[4] = std::to_string(2.0 * std::stod(words[4]));
+                fewer.insert(fewer.end(), words.begin() + 9 + static_cast<long>(count),
+                             words.end());
+                words = fewer;
+                break;
+            }
+            case 19:  // the same again
+                odd += line_of(words);
+                break;
+            case 23:  // back in time
+                words[words.size() - 1] = words[words.size() - 3] = "0.5";
+                break;
+            default:
+                break;
+        }
+        if (i == 60) {
+            words[pose] = std::to_string(std::stod(words[pose]) + 100.0);
+            words[pose + 3] = std::to_string(std::stod(words[pose + 3]) + 100.0);
+        }
+        odd += line_of(words);
+    }
+    ASSERT_GT(i, 100U);
+    const std::string log = folder.write("odd.log", odd);
+    const std::string project = folder / "p.quadcut";
+    const Outcome outcome =
+        run_quadcut({"follow", log, "-o", folder / "out", "--project", project, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("odd.log")) << "a warning counts the lines";
+    EXPECT_GT(Json::parse(outcome.out).at("rooms").get<int>(), 3);
+    EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+}
+
+TEST(ProjectFile, TwoProgramsDoNotWriteAtOnce) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    const std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
+                                          "--project", project, "--quiet"};
+    ASSERT_EQ(run_quadcut(follow).exit_code, 0);
+    const store::Project writer(project, store::Access::write);
+    const Outcome second = run_quadcut(follow);
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(second.err, HasSubstr("another program is writing to it"));
+    EXPECT_EQ(run_quadcut({"edit", project, "lock", "1"}).exit_code, 2);
+    EXPECT_EQ(run_quadcut({"locate", project, "0", "0"}).exit_code, 0) << "others may read";
 }
 
 }  // namespace

@@ -105,8 +105,20 @@ def write_legends():
     write("legend", "twice.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + flow))
 
 
+def write_follows():
+    patch = bytes([2, 20, 20, 60, 60, 1])
+    wall = bytes([2, 50, 20, 2, 20, 2])
+    split = bytes([4, 2, 128, 110, 128, 150])
+    lock = bytes([4, 3, 0])
+    scan = bytes([0, 128, 128, 128, 40] + [150 + i % 7 for i in range(40)])
+    write("follow", "hall", patch + bytes([5]) + split + bytes([7, 6]) + lock + scan)
+    write("follow", "wall", patch + wall + bytes([4, 1, 0, 1, 5, 7]) + wall + bytes([5]))
+    write("follow", "scans", scan * 6 + bytes([5, 7]) + scan)
+
+
 if __name__ == "__main__":
     write_maps()
     write_logs()
     write_poses()
     write_legends()
+    write_follows()

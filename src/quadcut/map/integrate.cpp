@@ -132,6 +132,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
     std::vector<Beam> beams =
         beams_of(scan, pose.yaw_rad, map.resolution_m(), limits_in_cells(map, options));
     stop_at_walls(beams, map, sensor, options);
+    // Eq. (10): the leaves in the sensor's range and in sight are those of these cells.
     const ScanCells cells = cells_of(beams, sensor, scan.angle_step_rad);
 
     const Cell origin = cells.free.origin();
