@@ -73,7 +73,7 @@ FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan>
                              const store::LogPosition& log, const std::filesystem::path& project)
     : scans_(scans),
       project_(open_project(project, options, log)),
-      follower_(project_->follower()),
+      follower_(project_->follower(options.segment.num_threads)),
       position_(project_->position()),
       updates_(project_->update_lines()) {
     num_before_ = position_.num_done;

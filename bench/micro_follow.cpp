@@ -209,7 +209,8 @@ double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
 }
 
 void follow_buildings(std::size_t count) {
-    constexpr std::size_t kNumShuffled = 10;
+    // In any order each scan changes rooms somewhere: ten times the work.
+    constexpr int kMaxShuffledRooms = 14;
     struct Result {
         Agreement agreement;
         double shuffled_pq = -1.0;
@@ -237,7 +238,7 @@ void follow_buildings(std::size_t count) {
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
         Result result{compare_with_batch(follower, way, follow.segment)};
-        if (i < kNumShuffled) result.shuffled_pq = pq_in_another_order(scans, i);
+        if (chosen.num_rooms <= kMaxShuffledRooms) result.shuffled_pq = pq_in_another_order(scans, i);
         return result;
     });
     std::vector<double> pq;

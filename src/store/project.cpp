@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include <unistd.h>
+
 #include "io/file.hpp"
 #include "io/option_text.hpp"
 #include "io/updates.hpp"
@@ -21,7 +23,6 @@ constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 
 void write_options(const Database& database, FollowOptions options) {
     Statement insert(database, "INSERT INTO options VALUES(?, ?)");
-    const std::string resolution = std::to_string(options.resolution_m);
     for (const OptionField& field : option_fields(options.segment)) {
         // The result is the same on any number of threads.
         if (field.name == "threads") continue;
@@ -81,13 +82,17 @@ Project Project::create(const std::filesystem::path& path, const FollowOptions& 
                         const LogPosition& position) {
     // A killed program leaves no half-made project under the name.
     std::filesystem::path beside = path;
-    beside += ".new";
+    beside += ".new" + std::to_string(::getpid());
     {
         Database database = Database::create(beside);
         database.run("BEGIN");
         for (const Table& table : tables()) database.run(std::string(table.sql));
         write_options(database, options);
         write_meta(database, "resolution_m", options.resolution_m);
+        write_meta(database, "min_change_m2", options.min_change_m2);
+        write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
+        write_meta(database, "first_cut_m2", options.first_cut_m2);
+        write_meta(database, "min_patch_m2", options.min_patch_m2);
         write_position(database, position);
         write_state(database, FollowerState{});
         database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
@@ -95,7 +100,14 @@ Project Project::create(const std::filesystem::path& path, const FollowOptions& 
         database.run("COMMIT");
     }
     std::error_code error;
-    std::filesystem::rename(beside, path, error);
+    // What a killed writer of a file that is gone has left would be taken for this one's.
+    for (const char* end : {"-wal", "-shm", "-journal"}) {
+        std::filesystem::remove(path.string() + end, error);
+    }
+    // A link, unlike a rename, takes no other program's new project away.
+    std::filesystem::create_hard_link(beside, path, error);
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
     if (error) {
         throw InputError(io::display_name(path) + ": cannot be written: " + error.message());
     }
@@ -103,6 +115,8 @@ Project Project::create(const std::filesystem::path& path, const FollowOptions& 
 }
 
 Project::Project(const std::filesystem::path& path, Access access) : database_(path, access) {
+    // One state of the file for all that is read.
+    if (access == Access::read) database_.run("BEGIN");
     check_form();
     if (access == Access::write) {
         database_.run("PRAGMA journal_mode=WAL");
@@ -145,6 +159,10 @@ void Project::read_options() {
         throw InputError(io::display_name(database_.path()) + ": " + error.what());
     }
     options_.resolution_m = meta(database_, "resolution_m").number(0);
+    options_.min_change_m2 = meta(database_, "min_change_m2").number(0);
+    options_.max_wait_m2_scans = meta(database_, "max_wait_m2_scans").number(0);
+    options_.first_cut_m2 = meta(database_, "first_cut_m2").number(0);
+    options_.min_patch_m2 = meta(database_, "min_patch_m2").number(0);
     if (!(options_.resolution_m >= 0.001 && options_.resolution_m <= 10.0)) {
         throw InputError(io::display_name(database_.path()) + ": a resolution of " +
                          std::to_string(options_.resolution_m) + " m: expected 0.001 to 10");
@@ -163,9 +181,11 @@ void Project::read_position() {
     position_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
 }
 
-Follower Project::follower() const {
+Follower Project::follower(std::size_t num_threads) const {
     try {
-        return Follower(options_, read_state(database_));
+        FollowOptions options = options_;
+        options.segment.num_threads = num_threads;
+        return Follower(options, read_state(database_));
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
@@ -206,6 +226,23 @@ void Project::add(const FollowUpdate& update, std::string_view line) {
 void Project::add(const EditRecord& edit) { waiting_.edits.push_back(edit); }
 
 void Project::save(Follower& follower, const LogPosition& position) {
+    if (is_broken_) {
+        throw InputError(io::display_name(database_.path()) +
+                         ": a save has failed; it holds what was saved before");
+    }
+    // Until all is written: what a save that fails has taken from the follower is not lost unseen.
+    is_broken_ = true;
+    write_waiting(follower.num_scans());
+    write_state(database_, follower.state_since_save());
+    write_position(database_, position);
+    database_.run("COMMIT");
+    waiting_ = {};
+    position_ = position;
+    database_.run("BEGIN IMMEDIATE");
+    is_broken_ = false;
+}
+
+void Project::write_waiting(std::size_t num_scans) {
     Statement line(database_, "INSERT INTO updates(line) VALUES(?)");
     for (const std::string& text : waiting_.lines) line.bind(1, std::string_view(text)).run();
     Statement event(database_,
@@ -222,7 +259,7 @@ void Project::save(Follower& follower, const LogPosition& position) {
                    "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
                    "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const EditRecord& one : waiting_.edits) {
-        edit.bind(1, static_cast<std::int64_t>(follower.num_scans()))
+        edit.bind(1, static_cast<std::int64_t>(num_scans))
             .bind(2, std::string_view(one.kind))
             .bind(3, static_cast<std::int64_t>(index(one.room)))
             .bind(4, static_cast<std::int64_t>(index(one.other)))
@@ -233,12 +270,6 @@ void Project::save(Follower& follower, const LogPosition& position) {
             .bind(9, std::int64_t{one.line.to.y})
             .run();
     }
-    write_state(database_, follower.state_since_save());
-    write_position(database_, position);
-    database_.run("COMMIT");
-    waiting_ = {};
-    position_ = position;
-    database_.run("BEGIN IMMEDIATE");
 }
 
 }  // namespace quadcut::store

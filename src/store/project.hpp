@@ -53,7 +53,7 @@ public:
     [[nodiscard]] const FollowOptions& options() const { return options_; }
     [[nodiscard]] const LogPosition& position() const { return position_; }
     /// The follower as it was when last saved. O(project).
-    [[nodiscard]] Follower follower() const;
+    [[nodiscard]] Follower follower(std::size_t num_threads = 2) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
     [[nodiscard]] std::vector<EditRecord> edits() const;
@@ -61,7 +61,8 @@ public:
     /// Adds to what the next save writes. An empty line is none.
     void add(const FollowUpdate& update, std::string_view line);
     void add(const EditRecord& edit);
-    /// Writes all that has changed since the last save. O(changes).
+    /// Writes all that has changed since the last save; after one that has failed, none can be
+    /// made. O(changes).
     void save(Follower& follower, const LogPosition& position);
 
     /// "ok", or what is wrong with the file.
@@ -71,6 +72,7 @@ public:
 
 private:
     void check_form() const;
+    void write_waiting(std::size_t num_scans);
     void read_options();
     void read_position();
 
@@ -83,6 +85,7 @@ private:
         std::vector<EditRecord> edits;
     };
     Waiting waiting_;
+    bool is_broken_ = false;
 };
 
 }  // namespace quadcut::store

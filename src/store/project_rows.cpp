@@ -17,6 +17,13 @@ namespace {
 constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 28;
 constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 
+/// A tile whose x is in the given column and whose y is in the next.
+Cell tile_at(const Statement& row, int column) {
+    constexpr std::int64_t kMaxTile = kMaxCoordinate / kTileSide;
+    return {static_cast<std::int32_t>(row.integer(column, -kMaxTile, kMaxTile)),
+            static_cast<std::int32_t>(row.integer(column + 1, -kMaxTile, kMaxTile))};
+}
+
 std::int64_t signed_count(std::size_t count) { return static_cast<std::int64_t>(count); }
 
 /// One byte, or 64, when not all are the same.
@@ -93,7 +100,7 @@ void write_rooms(const Database& database, const FollowerState& state, double ce
     for (const auto& [id, room] : state.rooms) {
         insert.bind(1, std::int64_t{id})
             .bind(2, std::string_view(room.name))
-            .bind(3, std::int64_t{room.is_merged})
+            .bind(3, std::int64_t{room.merge_group})
             .bind(4, std::int64_t{room.is_locked})
             .bind(5, static_cast<double>(room.num_cells) * cell_m2)
             .bind(6, room.peak_m);
@@ -150,14 +157,14 @@ void write_rest(const Database& database, const FollowerState& state) {
     write("high_y", state.written.high.y);
     write("num_scans", signed_count(state.num_scans));
     write("next_id", state.next_id);
-    write("num_cuts", signed_count(state.num_cuts));
+    write("num_left_over", signed_count(state.num_left_over));
     write("cut_at", signed_count(state.cut_at));
 }
 
 std::map<std::string, std::int64_t> read_numbers(const Database& database) {
     std::map<std::string, std::int64_t> numbers;
     for (const char* key : {"root_level", "root_x", "root_y", "low_x", "low_y", "high_x", "high_y",
-                            "num_scans", "next_id", "num_cuts", "cut_at"}) {
+                            "num_scans", "next_id", "num_left_over", "cut_at"}) {
         Statement row(database, "SELECT value FROM meta WHERE key = ?");
         row.bind(1, std::string_view(key));
         if (!row.step()) {
@@ -195,18 +202,18 @@ void read_meta(const Database& database, FollowerState& state) {
                      {coordinate("high_x", kMaxCoordinate), coordinate("high_y", kMaxCoordinate)}};
     state.num_scans = count("num_scans");
     state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
-    state.num_cuts = count("num_cuts");
+    state.num_left_over = count("num_left_over");
     state.cut_at = count("cut_at");
 }
 
 void read_rooms_table(const Database& database, FollowerState& state) {
     Statement row(database,
-                  "SELECT id, name, merged, locked, peak_m, low_x, low_y, high_x, high_y, "
+                  "SELECT id, name, merge_group, locked, peak_m, low_x, low_y, high_x, high_y, "
                   "announced_m2, decided_cells, next_block FROM rooms ORDER BY id");
     while (row.step()) {
         FollowedRoom room;
         room.name = row.text(1);
-        room.is_merged = row.integer(2, 0, 1) != 0;
+        room.merge_group = static_cast<std::uint32_t>(row.integer(2, 0, kMaxRoom));
         room.is_locked = row.integer(3, 0, 1) != 0;
         room.peak_m = row.number(4);
         room.box = {cell_at(row, 5), cell_at(row, 7)};
@@ -222,14 +229,14 @@ void read_lists(const Database& database, FollowerState& state) {
                    "SELECT ax, ay, bx, by, clearance_m, room_a, room_b FROM doors ORDER BY seq");
     while (door.step()) {
         state.openings.push_back({cell_at(door, 0), cell_at(door, 2),
-                                  static_cast<float>(door.number(4)),
+                                  static_cast<float>(std::clamp(door.number(4), 0.0, 1e6)),
                                   static_cast<std::uint32_t>(door.integer(5, 0, kMaxRoom)),
                                   static_cast<std::uint32_t>(door.integer(6, 0, kMaxRoom))});
     }
     Statement change(database, "SELECT x, y, cells FROM changes ORDER BY x, y");
     while (change.step()) {
         state.changed_tiles.emplace_back(
-            cell_at(change, 0),
+            tile_at(change, 0),
             static_cast<std::size_t>(change.integer(2, 1, std::int64_t{kTileCells})));
     }
     Statement seen(database, "SELECT room FROM seen");
@@ -261,7 +268,7 @@ FollowerState read_state(const Database& database) {
     read_lists(database, state);
     Statement row(database, "SELECT x, y, log_odds, rooms, cut_free FROM tiles ORDER BY y, x");
     while (row.step()) {
-        FollowedTile tile{cell_at(row, 0), {}, {}};
+        FollowedTile tile{tile_at(row, 0), {}, {}};
         read_log_odds(database, row.bytes(2), tile.log_odds);
         read_rooms(database, row.bytes(3), tile.rooms);
         tile.rooms.cut_free = static_cast<std::uint64_t>(row.integer(

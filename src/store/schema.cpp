@@ -21,7 +21,8 @@ std::span<const Table> tables() {
         {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID"},
         {"options", "CREATE TABLE options(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID"},
         {"rooms",
-         "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merged INTEGER, locked INTEGER, "
+         "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merge_group INTEGER, locked "
+         "INTEGER, "
          "area_m2 REAL, peak_m REAL, low_x INTEGER, low_y INTEGER, high_x INTEGER, "
          "high_y INTEGER, announced_m2 REAL, decided_cells INTEGER, next_block INTEGER)"},
         {"seen", "CREATE TABLE seen(room INTEGER PRIMARY KEY)"},

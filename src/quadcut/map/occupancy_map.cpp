@@ -118,7 +118,8 @@ void OccupancyMap::grow(const Box& tiles) {
     wanted.include(tiles);
     if (num_tiles(wanted) > kMaxTiles) throw InputError("map: the extent passes 2^31 cells");
     const Root from = is_placed_ ? root_ : Root{first_cell_of(tiles.low), kTileBits};
-    const Root root = grown_root(from, wanted);
+    // By the new tiles alone: where the directory has spare room is history, not content.
+    const Root root = grown_root(from, tiles);
     Box range = with_spare(wanted, old, tiles_of(root));
     if (num_tiles(range) > kMaxTiles) range = wanted;
 

@@ -63,6 +63,9 @@ std::vector<Box> patches(const std::map<std::pair<std::int32_t, std::int32_t>, s
     return result;
 }
 
+/// Within the limits of a map.
+constexpr double kFarCells = 268435456.0;
+
 /// The cells of tiles.
 Box cells_of_tiles(const Box& tiles) {
     const Cell high = first_cell_of(tiles.high);
@@ -92,13 +95,8 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
     require_room_for({{at.x - cells, at.y - cells}, {at.x + cells, at.y + cells}});
     const MapUpdate change = integrate_scan(map_, scan, options_.integrate);
     update.integrate_ms = ms_since(start);
-    update.scan = num_scans_++;
-    update.nodes_touched = change.nodes_touched;
-    update.nodes_rebuilt = change.nodes_rebuilt;
-    if (change.covering) {
-        update.ps = static_cast<double>(map_.num_nodes_in(*change.covering)) /
-                    static_cast<double>(map_.num_nodes());
-    }
+    sum_up(change, update);
+    ++num_scans_;
     note_changes(change);
     if (!change.written.empty()) note_seen(change.observed);
     if (is_cut_due()) cut_again(options_.min_patch_m2, update);
@@ -107,9 +105,27 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
     return update;
 }
 
+void Follower::sum_up(const MapUpdate& change, FollowUpdate& update) const {
+    update.scan = num_scans_;
+    update.nodes_touched = change.nodes_touched;
+    update.nodes_rebuilt = change.nodes_rebuilt;
+    if (!change.covering) return;
+    update.ps = static_cast<double>(map_.num_nodes_in(*change.covering)) /
+                static_cast<double>(map_.num_nodes());
+}
+
+std::uint32_t Follower::new_id() {
+    if (next_id_ > kMaxRoomId) {
+        throw InputError("the map has had " + std::to_string(next_id_ - 1) +
+                         " rooms: expected at most 65535, the range of a label");
+    }
+    return next_id_++;
+}
+
 bool Follower::is_cut_due() const {
+    const std::size_t num_new = num_changed_ - std::min(num_left_over_, num_changed_);
     const double changed_m2 =
-        static_cast<double>(num_changed_) * options_.resolution_m * options_.resolution_m;
+        static_cast<double>(num_new) * options_.resolution_m * options_.resolution_m;
     if (rooms_.empty()) return changed_m2 >= options_.first_cut_m2;
     const auto waited = static_cast<double>(num_scans_ - cut_at_);
     return changed_m2 >= options_.min_change_m2 ||
@@ -128,9 +144,7 @@ FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
     }
     const MapUpdate change = map_.commit();
     update.integrate_ms = ms_since(start);
-    update.scan = num_scans_;
-    update.nodes_touched = change.nodes_touched;
-    update.nodes_rebuilt = change.nodes_rebuilt;
+    sum_up(change, update);
     note_changes(change);
     note_seen(change.written);
     cut_again(options_.min_patch_m2, update);
@@ -206,6 +220,7 @@ void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
         is_cut = true;
     }
     if (is_cut) refine_stalest(kMuchStale, update);
+    num_left_over_ = num_changed_;
     update.segment_ms = ms_since(start);
 }
 
@@ -225,6 +240,10 @@ std::int32_t Follower::in_cells(double length_m) const {
 }
 
 RoomId Follower::room_at(const Point& point) const {
+    const double x = point.x / options_.resolution_m;
+    const double y = point.y / options_.resolution_m;
+    // Written so that NaN is nowhere, too.
+    if (!(std::abs(x) < kFarCells && std::abs(y) < kFarCells)) return RoomId{};
     return RoomId{cells_.room(map_.cell_at(point))};
 }
 

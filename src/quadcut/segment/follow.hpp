@@ -81,7 +81,7 @@ public:
 
     /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
     /// scan that cannot be used, or so far away that the map would span more than 2^28 cells; the
-    /// state is then unchanged. O(cells in sight + cells within 25 m of what has changed).
+    /// state is then unchanged. O(cells in sight + cells within 30 m of what has changed + rooms).
     FollowUpdate add_scan(const Scan& scan);
     /// Sets cells of the map: a patch of a grid that a SLAM system publishes, at the cells of
     /// map(). Throws InputError as above.
@@ -114,7 +114,8 @@ public:
     [[nodiscard]] const std::vector<SplitLine>& split_lines() const { return split_lines_; }
     /// The rooms on the cells of map().to_grid(), with doors. O(map).
     [[nodiscard]] Segmentation rooms() const;
-    /// What is to be saved. Of the tiles only those that changed since the last time. O(changes).
+    /// What is to be saved. Of the tiles only those that changed since the last time.
+    /// O(changes + rooms).
     [[nodiscard]] FollowerState state_since_save();
     /// Bytes held.
     [[nodiscard]] std::size_t bytes() const;
@@ -165,13 +166,17 @@ private:
                                                           FollowUpdate& update);
     void write_window(const LocalWindow& window, const LocalCut& cut,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
-    void rename_outside(const LocalWindow& window, std::uint32_t room, std::size_t group,
-                        std::uint32_t now, FollowUpdate& update);
+    [[nodiscard]] std::vector<Cell> cells_outside(const LocalWindow& window, std::uint32_t room,
+                                                  std::size_t group) const;
     void update_rooms(const LocalCut& cut, const Overlaps& overlaps,
                       const std::vector<std::uint32_t>& room_of_region, FollowUpdate& update);
     /// Throws InputError when the map would span too many cells.
     void require_room_for(Box cells) const;
     [[nodiscard]] std::int32_t in_cells(double length_m) const;
+    [[nodiscard]] std::uint32_t new_id();
+    void sum_up(const MapUpdate& change, FollowUpdate& update) const;
+    void take_rooms(const FollowerState& state);
+    void take_tile(const FollowedTile& tile);
     [[nodiscard]] std::uint32_t existing(RoomId room) const;
     void add_split_line(const SplitLine& line);
     void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;
@@ -192,8 +197,10 @@ private:
     std::set<std::pair<std::int32_t, std::int32_t>> split_cells_;
     /// Of the rooms that go on beyond the window that is being cut.
     std::map<std::uint32_t, Outside> outside_;
+    /// The regions of that window that have most of a room.
+    std::map<std::uint32_t, std::uint32_t> heirs_;
     std::uint32_t next_id_ = 1;
-    std::size_t num_cuts_ = 0;
+    std::size_t num_left_over_ = 0;
     /// The number of scans when rooms were last cut.
     std::size_t cut_at_ = 0;
     /// Preset `paper`: submaps seen with something new since the last cut.

@@ -83,9 +83,14 @@ FollowUpdate Follower::merge(RoomId room, RoomId other) {
     whole.num_cells += part.num_cells;
     whole.peak_m = std::max(whole.peak_m, part.peak_m);
     whole.box.include(part.box);
-    whole.is_merged = true;
+    const std::uint32_t group = whole.merge_group != 0 ? whole.merge_group : into;
+    const std::uint32_t other_group = part.merge_group;
+    whole.merge_group = group;
     whole.announced_m2 += part.announced_m2;
     rooms_.erase(from);
+    for (auto& [id, followed] : rooms_) {
+        if (other_group != 0 && followed.merge_group == other_group) followed.merge_group = group;
+    }
     FollowUpdate update;
     update.scan = num_scans_;
     update.num_rooms = rooms_.size();
@@ -95,6 +100,9 @@ FollowUpdate Follower::merge(RoomId room, RoomId other) {
 }
 
 FollowUpdate Follower::split(const Point& from, const Point& to) {
+    // Throws for points that are nowhere.
+    static_cast<void>(map_.cell_at(from));
+    static_cast<void>(map_.cell_at(to));
     const Point middle{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
     const std::uint32_t number = cells_.room(map_.cell_at(middle));
     if (number == 0) {
@@ -121,10 +129,10 @@ FollowUpdate Follower::split(const Point& from, const Point& to) {
             (legal ? "; the nearest cut is from " + at(legal->from) + " to " + at(legal->to)
                    : "; within 3 m it can be cut nowhere"));
     }
+    const std::uint32_t part = new_id();
     add_split_line(*plan.line);
-    const std::uint32_t part = next_id_++;
     FollowedRoom& smaller = rooms_[part];
-    smaller.is_merged = room.is_merged;
+    if (room.merge_group != 0) smaller.merge_group = part;
     smaller.peak_m = room.peak_m;
     for (const Cell cell : plan.part) {
         cells_.set_room(cell, part);

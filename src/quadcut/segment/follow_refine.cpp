@@ -38,12 +38,13 @@ bool Follower::refine_stalest(double min_stale, FollowUpdate& update) {
     const Box part{
         low,
         {std::min(low.x + side - 1, room.box.high.x), std::min(low.y + side - 1, room.box.high.y)}};
-    ++room.next_block;
-    if (room.next_block >= num_blocks) {
-        room.next_block = 0;
-        room.decided_cells = room.num_cells;
-    }
+    const bool is_last = ++room.next_block >= num_blocks;
     cut_window(part.grown(in_cells(kNarrowingReachM)), update);
+    const auto after = rooms_.find(stalest);
+    if (is_last && after != rooms_.end()) {
+        after->second.next_block = 0;
+        after->second.decided_cells = after->second.num_cells;
+    }
     return true;
 }
 

@@ -15,6 +15,10 @@ OccupancyMap empty_map(const FollowOptions& options, const FollowerState& state)
     return OccupancyMap(options.resolution_m, {}, *state.root);
 }
 
+std::string name_of(Cell tile) {
+    return "tile (" + std::to_string(tile.x) + ", " + std::to_string(tile.y) + ")";
+}
+
 bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(cell); }
 
 }  // namespace
@@ -27,44 +31,13 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
       rooms_(state.rooms),
       openings_(state.openings),
       next_id_(state.next_id),
-      num_cuts_(state.num_cuts),
+      num_left_over_(state.num_left_over),
       cut_at_(state.cut_at),
       seen_(state.seen) {
     if (cut_at_ > num_scans_) throw InputError("rooms were cut after the last scan");
-    std::erase_if(seen_, [&](std::uint32_t room) { return rooms_.count(room) == 0; });
-    for (auto& [id, room] : rooms_) {
-        if (id == 0 || id >= next_id_)
-            throw InputError("room " + std::to_string(id) + " has no id");
-        room.num_cells = 0;
-        if (!holds(written_, room.box.low) || !holds(written_, room.box.high)) {
-            throw InputError("room " + std::to_string(id) + " lies outside of the map");
-        }
-    }
     if (!written_.is_empty()) require_room_for(written_);
-    for (const FollowedTile& tile : state.tiles) {
-        const Cell low = first_cell_of(tile.tile);
-        const std::string name =
-            "tile (" + std::to_string(tile.tile.x) + ", " + std::to_string(tile.tile.y) + ")";
-        if (!holds(written_, low)) throw InputError(name + " lies outside of the map");
-        for (const std::int8_t value : tile.log_odds.values) {
-            if (value < kMinLogOdds || value > kMaxLogOdds) {
-                throw InputError(name + ": log-odds of " + std::to_string(value));
-            }
-        }
-        for (std::size_t i = 0; i < kTileCells; ++i) {
-            if (tile.rooms.rooms[i] == 0) continue;
-            const auto room = rooms_.find(tile.rooms.rooms[i]);
-            const Cell cell{low.x + static_cast<std::int32_t>(i % kTileSide),
-                            low.y + static_cast<std::int32_t>(i / kTileSide)};
-            if (room == rooms_.end() || !holds(room->second.box, cell)) {
-                throw InputError(name + " has cells of a room that is not there");
-            }
-            ++room->second.num_cells;
-        }
-        map_.set_tile(tile.tile, tile.log_odds);
-        cells_.set_tile(tile.tile, tile.rooms);
-        cells_.note_free(tile.tile, std::popcount(free_rows(tile.log_odds)));
-    }
+    take_rooms(state);
+    for (const FollowedTile& tile : state.tiles) take_tile(tile);
     map_.commit();
     if (state.root && map_.root() != *state.root) throw InputError("tiles lie outside of the map");
     static_cast<void>(cells_.take_marked());
@@ -72,18 +45,58 @@ Follower::Follower(const FollowOptions& options, const FollowerState& state)
         if (room.num_cells == 0) throw InputError("room " + std::to_string(id) + " has no cells");
     }
     for (const auto& [tile, count] : state.changed_tiles) {
-        changed_tiles_[{tile.x, tile.y}] = count;
+        const bool is_new = changed_tiles_.emplace(std::pair{tile.x, tile.y}, count).second;
+        if (!is_new || !holds(written_, first_cell_of(tile))) {
+            throw InputError(name_of(tile) + " has changed twice, or lies outside of the map");
+        }
         num_changed_ += count;
+    }
+}
+
+void Follower::take_rooms(const FollowerState& state) {
+    std::erase_if(seen_, [&](std::uint32_t room) { return rooms_.count(room) == 0; });
+    for (auto& [id, room] : rooms_) {
+        const std::string name = "room " + std::to_string(id);
+        if (id == 0 || id >= next_id_ || next_id_ > kMaxRoomId + 1) {
+            throw InputError(name + " has no id that can be");
+        }
+        room.num_cells = 0;
+        if (!holds(written_, room.box.low) || !holds(written_, room.box.high)) {
+            throw InputError(name + " lies outside of the map");
+        }
     }
     for (const SplitLine& line : state.split_lines) {
         // The ends lie in walls, which need not be seen.
         Box around = written_;
-        if (!around.is_empty()) around = around.grown(100);
+        if (!around.is_empty()) around = around.grown(in_cells(1.0));
         if (!holds(around, line.from) || !holds(around, line.to)) {
             throw InputError("a cut by hand lies outside of the map");
         }
         add_split_line(line);
     }
+}
+
+void Follower::take_tile(const FollowedTile& tile) {
+    const Cell low = first_cell_of(tile.tile);
+    if (!holds(written_, low)) throw InputError(name_of(tile.tile) + " lies outside of the map");
+    for (const std::int8_t value : tile.log_odds.values) {
+        if (value < kMinLogOdds || value > kMaxLogOdds) {
+            throw InputError(name_of(tile.tile) + ": log-odds of " + std::to_string(value));
+        }
+    }
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        if (tile.rooms.rooms[i] == 0) continue;
+        const auto room = rooms_.find(tile.rooms.rooms[i]);
+        const Cell cell{low.x + static_cast<std::int32_t>(i % kTileSide),
+                        low.y + static_cast<std::int32_t>(i / kTileSide)};
+        if (room == rooms_.end() || !holds(room->second.box, cell)) {
+            throw InputError(name_of(tile.tile) + " has cells of a room that is not there");
+        }
+        ++room->second.num_cells;
+    }
+    map_.set_tile(tile.tile, tile.log_odds);
+    cells_.set_tile(tile.tile, tile.rooms);
+    cells_.note_free(tile.tile, std::popcount(free_rows(tile.log_odds)));
 }
 
 FollowerState Follower::state_since_save() {
@@ -92,7 +105,7 @@ FollowerState Follower::state_since_save() {
     state.written = written_;
     state.num_scans = num_scans_;
     state.next_id = next_id_;
-    state.num_cuts = num_cuts_;
+    state.num_left_over = num_left_over_;
     state.cut_at = cut_at_;
     state.rooms = rooms_;
     state.openings = openings_;

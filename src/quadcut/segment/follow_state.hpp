@@ -23,8 +23,8 @@ namespace quadcut {
 struct FollowedRoom {
     /// Given by people; empty: the default name.
     std::string name;
-    /// Made one by people: cutting again does not cut it apart.
-    bool is_merged = false;
+    /// Not 0: made one by people; rooms of one group that touch are one room.
+    std::uint32_t merge_group = 0;
     /// Its cells are its own whatever is seen there.
     bool is_locked = false;
     std::size_t num_cells = 0;
@@ -62,7 +62,8 @@ struct FollowerState {
     double cell_m2 = 0.0;
     std::size_t num_scans = 0;
     std::uint32_t next_id = 1;
-    std::size_t num_cuts = 0;
+    /// Changed cells that the last cut left alone, in patches that are too small.
+    std::size_t num_left_over = 0;
     /// The number of scans when rooms were last cut.
     std::size_t cut_at = 0;
     std::map<std::uint32_t, FollowedRoom> rooms;

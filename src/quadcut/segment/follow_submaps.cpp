@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // The paper's incremental segmentation of a followed map.
-#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
 
 #include "quadcut/segment/follow.hpp"
 #include "quadcut/segment/local_submaps.hpp"
@@ -33,7 +35,14 @@ void Follower::note_seen(const std::vector<Cell>& tiles) {
 }
 
 void Follower::cut_seen_submaps(FollowUpdate& update) {
-    ++num_cuts_;
+    // Locked submaps, and the lines where people cut, are walls.
+    std::set<std::uint32_t> locked;
+    std::map<std::uint32_t, std::uint32_t> merge_groups;
+    for (const auto& [number, room] : rooms_) {
+        if (room.is_locked) locked.insert(number);
+        if (room.merge_group != 0) merge_groups[number] = room.merge_group;
+    }
+    for (const std::uint32_t number : locked) seen_.erase(number);
     Box box;
     for (const auto& [at, count] : changed_tiles_) {
         // And the tiles beside it.
@@ -45,19 +54,27 @@ void Follower::cut_seen_submaps(FollowUpdate& update) {
         if (rooms_.count(submap) != 0) box.include(rooms_.at(submap).box);
     }
     box = whole_blocks(box, map_.root());
-    SubmapWindow window{Raster<CellState>(box, CellState::unknown), Raster<std::uint32_t>(box),
-                        Raster<std::uint8_t>(box), seen_, options_.resolution_m};
+    SubmapWindow window{Raster<CellState>(box, CellState::unknown),
+                        Raster<std::uint32_t>(box),
+                        Raster<std::uint8_t>(box),
+                        seen_,
+                        merge_groups,
+                        options_.resolution_m};
     for (std::size_t i = 0; i < window.states.values.size(); ++i) {
         const Cell cell = window.states.cell(i);
-        window.states.values[i] = map_.state(cell);
         window.submaps.values[i] = cells_.room(cell);
+        const bool is_wall = locked.count(window.submaps.values[i]) != 0 ||
+                             split_cells_.count({cell.y, cell.x}) != 0;
+        window.states.values[i] = is_wall ? CellState::occupied : map_.state(cell);
         const Cell tile = tile_of(cell);
         window.updated.values[i] = changed_tiles_.count({tile.x, tile.y}) != 0 ? 1 : 0;
     }
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
-    const LocalCut cut = cut_submaps(window, options_.segment, executor);
+    LocalCut cut = cut_submaps(window, options_.segment, executor);
+    const LocalWindow local{window.states, window.submaps, box, options_.resolution_m, {}, {}, {}};
+    fill_split_lines(local, cut);
     outside_.clear();
-    take_over({window.states, window.submaps, box, options_.resolution_m, {}, {}, {}}, cut, update);
+    take_over(local, cut, update);
     seen_.clear();
 }
 

@@ -67,7 +67,7 @@ LocalWindow Follower::read_window(const Box& decided) const {
                        {}};
     for (const auto& [number, room] : rooms_) {
         if (room.is_locked) window.locked.insert(number);
-        if (room.is_merged) window.merged.insert(number);
+        if (room.merge_group != 0) window.merge_groups[number] = room.merge_group;
     }
     for (std::size_t i = 0; i < window.states.values.size(); ++i) {
         const Cell cell = window.states.cell(i);
@@ -83,7 +83,6 @@ LocalWindow Follower::read_window(const Box& decided) const {
 }
 
 void Follower::cut_window(const Box& decided, FollowUpdate& update) {
-    ++num_cuts_;
     const LocalWindow window = read_window(decided);
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     outside_.clear();
@@ -235,13 +234,13 @@ std::vector<std::uint32_t> Follower::name_regions(const Overlaps& overlaps,
     std::vector<std::uint32_t> room_of_region(num_regions + std::size_t{1}, 0);
     std::vector<std::uint32_t> parents(num_regions + std::size_t{1}, 0);
     std::map<std::uint32_t, std::uint32_t> region_of_room;
-    std::map<std::uint32_t, std::uint32_t> heirs;
+    heirs_.clear();
     for (const auto& [count, region_number, room_number] : largest_first) {
         const auto region = static_cast<std::uint32_t>(region_number);
         const auto room = static_cast<std::uint32_t>(room_number);
         const bool has_room = 2 * count >= rooms_.at(room).num_cells;
         const bool has_region = 2 * count >= overlaps.region_cells[region];
-        if (has_room) heirs.emplace(room, region);
+        if (has_room) heirs_.emplace(room, region);
         if (has_region && parents[region] == 0) parents[region] = room;
         if ((has_room || has_region) && room_of_region[region] == 0 &&
             region_of_room.emplace(room, region).second) {
@@ -251,25 +250,13 @@ std::vector<std::uint32_t> Follower::name_regions(const Overlaps& overlaps,
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
     for (std::uint32_t region = 1; region <= num_regions; ++region) {
         if (room_of_region[region] != 0) continue;
-        room_of_region[region] = next_id_++;
+        room_of_region[region] = new_id();
         const std::string area =
             square_metres(static_cast<double>(overlaps.region_cells[region]) * cell_m2);
         const bool is_born = parents[region] == 0;
         update.events.push_back({is_born ? RoomLife::born : RoomLife::split,
                                  RoomId{room_of_region[region]}, RoomId{parents[region]},
                                  area + (is_born ? " seen for the first time" : " behind a door")});
-    }
-    for (const auto& [room, cells] : overlaps.cells_inside) {
-        if (region_of_room.count(room) != 0) continue;
-        const auto heir = heirs.find(room);
-        // Of a room without an heir something may be left outside.
-        if (heir == heirs.end() && cells < rooms_.at(room).num_cells) continue;
-        update.events.push_back(heir != heirs.end()
-                                    ? LifeEvent{RoomLife::merged, RoomId{room},
-                                                RoomId{room_of_region[heir->second]},
-                                                "nothing like a door is between them"}
-                                    : LifeEvent{RoomLife::retired, RoomId{room}, RoomId{},
-                                                "its floor is no longer free"});
     }
     return room_of_region;
 }
@@ -278,11 +265,19 @@ void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
                             const std::vector<std::uint32_t>& room_of_region,
                             FollowUpdate& update) {
     const double cell_m2 = options_.resolution_m * options_.resolution_m;
+    // First all that is outside is found, then it gets its new rooms: one may be the name of
+    // another.
+    std::vector<std::pair<Cell, std::uint32_t>> outside;
     for_each_group(cut, [&](std::uint32_t room, std::size_t group, std::uint32_t region) {
-        if (room_of_region[region] != room) {
-            rename_outside(window, room, group, room_of_region[region], update);
+        if (room_of_region[region] == room) return;
+        for (const Cell cell : cells_outside(window, room, group)) {
+            outside.emplace_back(cell, room_of_region[region]);
         }
     });
+    for (const auto& [cell, now] : outside) {
+        cells_.set_room(cell, now);
+        update.relabelled_m2 += cell_m2;
+    }
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const Cell cell = cut.regions.cell(i);
         if (window.decided.contains(cell)) {
@@ -307,19 +302,19 @@ void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
     openings_.insert(openings_.end(), cut.openings.begin(), cut.openings.end());
 }
 
-void Follower::rename_outside(const LocalWindow& window, std::uint32_t room, std::size_t group,
-                              std::uint32_t now, FollowUpdate& update) {
+std::vector<Cell> Follower::cells_outside(const LocalWindow& window, std::uint32_t room,
+                                          std::size_t group) const {
     const Outside& outside = outside_.at(room);
     const Box& box = rooms_.at(room).box;
-    for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
-        for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
-            const Cell cell{x, y};
+    std::vector<Cell> cells;
+    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
+        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) {
             if (cells_.room(cell) != room || window.states.contains(cell)) continue;
             if (!outside.groups.values.empty() && outside.groups.at(cell) != group + 1) continue;
-            cells_.set_room(cell, now);
-            update.relabelled_m2 += options_.resolution_m * options_.resolution_m;
+            cells.push_back(cell);
         }
     }
+    return cells;
 }
 
 void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
@@ -338,6 +333,13 @@ void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
         changed[now].num_cells += outside_.at(room).num_cells[group];
         changed[now].box.include(rooms_.at(room).box);
     });
+    // A part that leaves a room which people made one is drawn to it when they touch again.
+    for (const LifeEvent& event : update.events) {
+        const auto parent = rooms_.find(static_cast<std::uint32_t>(event.other));
+        if (event.life != RoomLife::split || parent == rooms_.end()) continue;
+        const auto child = static_cast<std::uint32_t>(event.room);
+        if (rooms_.count(child) == 0) changed[child].merge_group = parent->second.merge_group;
+    }
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
         const std::uint32_t region = cut.regions.values[i];
         if (region == 0 || region == kNotCut) continue;
@@ -354,6 +356,13 @@ void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,
     for (auto& [id, room] : changed) {
         if (room.num_cells == 0) {
             rooms_.erase(id);
+            const auto heir = heirs_.find(id);
+            update.events.push_back(heir != heirs_.end()
+                                        ? LifeEvent{RoomLife::merged, RoomId{id},
+                                                    RoomId{room_of_region[heir->second]},
+                                                    "nothing like a door is between them"}
+                                        : LifeEvent{RoomLife::retired, RoomId{id}, RoomId{},
+                                                    "its floor is no longer free"});
             continue;
         }
         const double area_m2 = static_cast<double>(room.num_cells) * cell_m2;

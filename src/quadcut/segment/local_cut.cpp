@@ -184,14 +184,18 @@ void for_each_pair(const Raster<std::uint32_t>& raster, const Visit& visit) {
 /// Joins a new region with the rooms in which it goes on, and what people made one.
 void join_across_borders(const LocalWindow& window, const RoomsCut& cut, const Parts& parts,
                          LabelSets& sets) {
+    std::vector<std::uint32_t> group_of;
+    for (const std::uint32_t room : parts.earlier_room) {
+        const auto found = window.merge_groups.find(room);
+        group_of.push_back(found == window.merge_groups.end() ? 0 : found->second);
+    }
     for_each_pair(parts.labels, [&](std::size_t i, std::size_t j) {
         const std::uint32_t a = parts.labels.values[i];
         const std::uint32_t b = parts.labels.values[j];
         if (a == b || a == 0 || b == 0) return;
         const bool goes_on = parts.is_kept[a] != parts.is_kept[b] && cut.rooms.values[i] != 0 &&
                              cut.rooms.values[i] == cut.rooms.values[j];
-        const bool is_one = parts.earlier_room[a] == parts.earlier_room[b] &&
-                            window.merged.count(parts.earlier_room[a]) != 0;
+        const bool is_one = group_of[a] != 0 && group_of[a] == group_of[b];
         if (goes_on || is_one) sets.join(a, b);
     });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -29,8 +30,8 @@ struct LocalWindow {
     Layout orientation;
     /// Rooms that keep their cells, whose states are those of walls.
     std::set<std::uint32_t> locked;
-    /// Rooms that are not cut apart.
-    std::set<std::uint32_t> merged;
+    /// Of rooms that people made one: parts whose rooms have the same group and touch are one.
+    std::map<std::uint32_t, std::uint32_t> merge_groups;
 };
 
 /// The region of a cell that stays as it is: in a locked room.

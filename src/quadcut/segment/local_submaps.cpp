@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/local_submaps.hpp"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "quadcut/graph/visibility.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/find_submaps.hpp"
 #include "quadcut/segment/free_leaves.hpp"
 
@@ -29,6 +32,43 @@ std::set<std::uint32_t> relevant_submaps(const SubmapWindow& window,
         }
     }
     return relevant;
+}
+
+/// Regions that touch, of submaps which people have made one, are joined.
+void join_merged(const SubmapWindow& window, LocalCut& cut) {
+    std::vector<std::map<std::uint32_t, std::size_t>> shares(cut.num_regions + std::size_t{1});
+    const auto is_region = [](std::uint32_t region) { return region != 0 && region != kNotCut; };
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        const std::uint32_t region = cut.regions.values[i];
+        if (is_region(region)) ++shares[region][window.submaps.values[i]];
+    }
+    std::vector<std::uint32_t> group_of(shares.size(), 0);
+    LabelSets sets;
+    for (std::size_t region = 1; region < shares.size(); ++region) {
+        sets.add();
+        const auto most =
+            std::max_element(shares[region].begin(), shares[region].end(),
+                             [](const auto& p, const auto& q) { return p.second < q.second; });
+        if (most == shares[region].end()) continue;
+        const auto found = window.merge_groups.find(most->first);
+        if (found != window.merge_groups.end()) group_of[region] = found->second;
+    }
+    const auto width = static_cast<std::size_t>(cut.regions.width);
+    const auto join = [&](std::size_t i, std::size_t j) {
+        const std::uint32_t a = cut.regions.values[i];
+        const std::uint32_t b = cut.regions.values[j];
+        if (a == b || !is_region(a) || !is_region(b)) return;
+        if (group_of[a] != 0 && group_of[a] == group_of[b]) sets.join(a, b);
+    };
+    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
+        if ((i + 1) % width != 0) join(i, i + 1);
+        if (i + width < cut.regions.values.size()) join(i, i + width);
+    }
+    const std::vector<std::uint32_t> numbers = sets.numbers();
+    for (std::uint32_t& region : cut.regions.values) {
+        if (region != kNotCut) region = numbers[region];
+    }
+    cut.num_regions = *std::max_element(numbers.begin(), numbers.end());
 }
 
 }  // namespace
@@ -60,7 +100,15 @@ LocalCut cut_submaps(const SubmapWindow& window, const SegmentOptions& options,
     }
     const std::vector<WeightedEdge> edges =
         sight_edges(leaves.table, nodes, window.resolution_m, options.paper.self_loops, executor);
-    const std::set<std::uint32_t> taken = relevant_submaps(window, edges, submap_of_node, is_new);
+    std::set<std::uint32_t> taken = relevant_submaps(window, edges, submap_of_node, is_new);
+    // And those that have lost floor.
+    for (std::size_t i = 0; i < window.states.values.size(); ++i) {
+        const bool is_lost = window.updated.values[i] != 0 && window.submaps.values[i] != 0 &&
+                             window.states.values[i] != CellState::free;
+        if (is_lost && window.seen.count(window.submaps.values[i]) != 0) {
+            taken.insert(window.submaps.values[i]);
+        }
+    }
     std::vector<std::uint32_t> in_list;
     for (std::uint32_t node = 0; node < nodes.size(); ++node) {
         const bool is_taken = taken.count(submap_of_node[node]) != 0;
@@ -84,6 +132,7 @@ LocalCut cut_submaps(const SubmapWindow& window, const SegmentOptions& options,
         paint_leaf(leaves.table.leaf(nodes[in_list[submaps.nodes[i]]]),
                    submaps.pieces.piece_of_node[i] + 1, cut.regions);
     }
+    if (!window.merge_groups.empty()) join_merged(window, cut);
     return cut;
 }
 

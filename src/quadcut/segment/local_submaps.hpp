@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 
 #include "quadcut/base/parallel.hpp"
@@ -27,6 +28,8 @@ struct SubmapWindow {
     /// The old submaps that were seen since then in one observation with something new; they lie
     /// wholly in the window.
     std::set<std::uint32_t> seen;
+    /// Of submaps that people made one, as in LocalWindow.
+    std::map<std::uint32_t, std::uint32_t> merge_groups;
     double resolution_m = 0.05;
 };
 

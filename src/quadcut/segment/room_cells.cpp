@@ -64,17 +64,19 @@ std::vector<Cell> RoomCells::take_marked() {
 
 void RoomCells::Moments::add(Cell tile, std::int64_t cells) {
     count += cells;
-    std::int64_t x_power = cells;
-    std::int64_t y_power = cells;
+    Integer x_power = cells;
+    Integer y_power = cells;
     for (std::size_t k = 0; k < 3; ++k) {
-        x[k] += x_power *= tile.x;
-        y[k] += y_power *= tile.y;
+        x_power *= tile.x;
+        y_power *= tile.y;
+        x[k] += x_power;
+        y[k] += y_power;
     }
 }
 
 Layout RoomCells::orientation() const {
     if (moments_.count == 0) return {};
-    const auto of = [&](const std::array<std::int64_t, 3>& sums) {
+    const auto of = [&](const auto& sums) {
         const auto n = static_cast<double>(moments_.count);
         return AxisMoments{n, static_cast<double>(sums[0]), static_cast<double>(sums[1]),
                            static_cast<double>(sums[2])};
@@ -99,6 +101,10 @@ std::uint32_t RoomCells::number(Cell tile) {
     }
     std::uint32_t& entry = directory_.at(tile);
     if (entry == 0) {
+        // An eighth at a time: memory goes with what was seen.
+        if (tiles_.size() == tiles_.capacity()) {
+            tiles_.reserve(tiles_.size() + std::max<std::size_t>(64, tiles_.size() / 8));
+        }
         entry = static_cast<std::uint32_t>(tiles_.size());
         tiles_.emplace_back();
         num_free_.push_back(0);

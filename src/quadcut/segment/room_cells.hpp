@@ -57,9 +57,11 @@ public:
 private:
     /// Sums over cells, of powers of their tiles' x and y.
     struct Moments {
+        // The third power of a tile's place, summed over cells, passes 64 bits.
+        __extension__ using Integer = __int128;
         std::int64_t count = 0;
-        std::array<std::int64_t, 3> x{};
-        std::array<std::int64_t, 3> y{};
+        std::array<Integer, 3> x{};
+        std::array<Integer, 3> y{};
 
         void add(Cell tile, std::int64_t cells);
     };

@@ -24,6 +24,8 @@ constexpr double kMinPartM2 = 4.0;
 constexpr double kSearchM = 3.0;
 constexpr double kStepM = 0.25;
 constexpr int kNumDirections = 12;
+/// So that the answer takes seconds at most.
+constexpr std::size_t kMaxCellsToSearch = 400000000;
 
 Cell cell_at(const Point& point) { return cell_of(point); }
 
@@ -130,6 +132,10 @@ SplitPlan plan_split(const Raster<std::uint8_t>& room, const Point& from, const 
     }
     for (const Point& way : {direction, back}) {
         const double beyond = free_length(room, middle, way) - length / 2.0;
+        if (beyond * resolution_m < -kSnapM) {
+            plan.reason = "a wall stands between the two points";
+            return plan;
+        }
         if (beyond * resolution_m <= kSnapM) continue;
         plan.reason = "the line ends " + metres(beyond * resolution_m) +
                       " before a wall: " + metres(kSnapM) + " at most are drawn on";
@@ -163,6 +169,9 @@ std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room, const P
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& p, const auto& q) { return p.first < q.first; });
+    const std::size_t max_places =
+        std::max<std::size_t>(50, kMaxCellsToSearch / std::max<std::size_t>(1, room.values.size()));
+    if (places.size() > max_places) places.resize(max_places);
     for (const auto& [far, place] : places) {
         const Point direction{std::cos(place.second), std::sin(place.second)};
         const SplitLine line =

@@ -67,6 +67,17 @@ TEST(FollowEdit, AMergeStaysMerged) {
     EXPECT_THAT(error_of([&] { follower.merge(left, right); }), HasSubstr("no room"));
 }
 
+TEST(FollowEdit, WhatWasMergedIsOneAgainWhenADoorOpens) {
+    Follower follower;
+    follower.update_cells(hall_with_wall());
+    const RoomId left = follower.room_at({2.0, 3.0});
+    follower.merge(left, follower.room_at({9.0, 3.0}));
+    follower.update_cells(Raster<CellState>({100, 50}, 4, 18, CellState::occupied));
+    ASSERT_EQ(follower.num_rooms(), 2U) << "the door is shut: a room is connected";
+    follower.update_cells(Raster<CellState>({100, 50}, 4, 18, CellState::free));
+    EXPECT_EQ(follower.num_rooms(), 1U);
+}
+
 TEST(FollowEdit, RoomsThatDoNotTouchCannotBeMerged) {
     Follower follower;
     Raster<CellState> states = hall_with_wall();
@@ -171,6 +182,28 @@ TEST(FollowEdit, ALockedRoomKeepsItsBorder) {
     EXPECT_THAT(error_of([&] { follower.split({2.0, 1.0}, {2.0, 5.0}); }), HasSubstr("locked"));
     // What was the wall is part of the other room now.
     EXPECT_EQ(follower.room_at({5.1, 1.0}), right);
+}
+
+TEST(FollowEdit, HoldInThePresetPaperToo) {
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    Follower follower(options);
+    follower.update_cells(hall_with_wall());
+    ASSERT_EQ(follower.num_rooms(), 2U);
+    const RoomId left = follower.room_at({2.0, 3.0});
+    const RoomId right = follower.room_at({9.0, 3.0});
+    ASSERT_NE(left, right);
+    Follower locked({options}, follower.state_since_save());
+    locked.lock(left);
+    const std::size_t cells = locked.followed().at(static_cast<std::uint32_t>(left)).num_cells;
+    follower.merge(left, right);
+    for (const CellState state : {CellState::occupied, CellState::free}) {
+        cut_again(follower, state);
+        cut_again(locked, state);
+    }
+    EXPECT_EQ(follower.num_rooms(), 1U);
+    EXPECT_EQ(follower.room_at({9.0, 3.0}), left);
+    EXPECT_EQ(locked.followed().at(static_cast<std::uint32_t>(left)).num_cells, cells);
 }
 
 TEST(FollowEdit, TheStateGoesOnAsIfNothingHadHappened) {

@@ -141,7 +141,7 @@ TEST(Project, RowsThatCannotBeAreRefused) {
                                   "UPDATE rooms SET high_x = 1000000",
                                   "UPDATE rooms SET announced_m2 = 'wide'",
                                   "UPDATE rooms SET announced_m2 = 9e999",
-                                  "UPDATE rooms SET merged = 2",
+                                  "UPDATE rooms SET merge_group = -1",
                                   "DELETE FROM rooms",
                                   "DELETE FROM meta WHERE key = 'next_id'",
                                   "UPDATE meta SET value = 0 WHERE key = 'next_id'",
