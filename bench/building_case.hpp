@@ -77,22 +77,29 @@ inline Raster<std::uint32_t> truth_at(const sim::Building& building, const GridM
     return truth;
 }
 
-inline MappedBuilding map_building(const BuildingCase& chosen) {
+inline sim::Building building_of(const BuildingCase& chosen) {
     sim::BuildingOptions options;
     options.seed = chosen.seed;
     options.num_rooms = chosen.num_rooms;
     options.furniture = chosen.furniture;
     options.yaw_rad = chosen.is_turned ? 0.3 : 0.0;
     options.turned_wings = chosen.is_turned ? 0.5 : 0.0;
+    return sim::generate_building(options);
+}
+
+inline std::vector<Scan> scans_of(const BuildingCase& chosen, const sim::Building& building) {
+    sim::RobotOptions robot;
+    robot.seed = chosen.seed;
+    return sim::explore(building.map, sim::start_pose(building), robot).scans;
+}
+
+inline MappedBuilding map_building(const BuildingCase& chosen) {
     MappedBuilding mapped;
-    mapped.building = sim::generate_building(options);
+    mapped.building = building_of(chosen);
     mapped.map = mapped.building.map;
     if (chosen.is_scanned) {
-        sim::RobotOptions robot;
-        robot.seed = chosen.seed;
-        const std::vector<Scan> scans =
-            sim::explore(mapped.building.map, sim::start_pose(mapped.building), robot).scans;
-        mapped.map = map_from_scans(scans, options.resolution_m).to_grid();
+        const std::vector<Scan> scans = scans_of(chosen, mapped.building);
+        mapped.map = map_from_scans(scans, mapped.building.map.resolution_m).to_grid();
         for (const Scan& scan : scans) {
             mapped.trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }

@@ -182,7 +182,6 @@ void follow_logs(std::vector<std::string> names) {
     std::printf("Plots: build/follow\n");
 }
 
-
 /// PQ between the rooms of the scans and of the same scans in another order. Both maps cover the
 /// same cells but for a few at their edges.
 double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
@@ -216,19 +215,8 @@ void follow_buildings(std::size_t count) {
         double shuffled_pq = -1.0;
     };
     const std::vector<Result> results = run_cases<Result>(count, [&](std::size_t i) {
-        BuildingCase chosen = building_case(i);
-        chosen.is_scanned = true;
-        sim::BuildingOptions options;
-        options.seed = chosen.seed;
-        options.num_rooms = chosen.num_rooms;
-        options.furniture = chosen.furniture;
-        options.yaw_rad = chosen.is_turned ? 0.3 : 0.0;
-        options.turned_wings = chosen.is_turned ? 0.5 : 0.0;
-        const sim::Building building = sim::generate_building(options);
-        sim::RobotOptions robot;
-        robot.seed = chosen.seed;
-        const std::vector<Scan> scans =
-            sim::explore(building.map, sim::start_pose(building), robot).scans;
+        const BuildingCase chosen = building_case(i);
+        const std::vector<Scan> scans = scans_of(chosen, building_of(chosen));
         FollowOptions follow;
         follow.segment.num_threads = 1;
         Follower follower(follow);
@@ -238,7 +226,8 @@ void follow_buildings(std::size_t count) {
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
         Result result{compare_with_batch(follower, way, follow.segment)};
-        if (chosen.num_rooms <= kMaxShuffledRooms) result.shuffled_pq = pq_in_another_order(scans, i);
+        if (chosen.num_rooms <= kMaxShuffledRooms)
+            result.shuffled_pq = pq_in_another_order(scans, i);
         return result;
     });
     std::vector<double> pq;
@@ -336,7 +325,7 @@ void kill_often(std::size_t count) {
 }
 
 void locate_often() {
-    const sim::Building building = map_building(building_case(6)).building;
+    const sim::Building building = building_of(building_case(6));
     Follower follower;
     follower.update_cells(building.map.states);
     Random random(1);

@@ -21,7 +21,9 @@ namespace {
 using quadcut::Cell;
 using quadcut::RoomId;
 
-constexpr std::int32_t kReach = 80;
+/// All that the bytes can reach.
+constexpr std::int32_t kLow = -128;
+constexpr std::int32_t kSide = 320;
 constexpr double kResolutionM = 0.1;
 
 void require(bool is_so) {
@@ -104,8 +106,8 @@ private:
                                   : (one.miss >> i & 1) != 0 ? how.miss
                                                              : 0;
                 if (delta == 0) continue;
-                int& value = log_odds_[{low.x + static_cast<std::int32_t>(i % 8),
-                                        low.y + static_cast<std::int32_t>(i / 8)}];
+                std::int8_t& value = log_odds_.at({low.x + static_cast<std::int32_t>(i % 8),
+                                                   low.y + static_cast<std::int32_t>(i / 8)});
                 value = quadcut::bounded_sum(value, delta);
             }
         }
@@ -119,7 +121,7 @@ private:
         note(follower_.update_cells({low, width, height, state}));
         for (std::int32_t y = 0; y < height; ++y) {
             for (std::int32_t x = 0; x < width; ++x) {
-                log_odds_[{low.x + x, low.y + y}] = quadcut::log_odds_of(state);
+                log_odds_.at({low.x + x, low.y + y}) = quadcut::log_odds_of(state);
             }
         }
     }
@@ -168,6 +170,7 @@ private:
         state.tiles.clear();
         for (const auto& [at, tile] : saved_) state.tiles.push_back(tile);
         follower_ = quadcut::Follower(options(), state);
+        static_cast<void>(follower_.rooms());
     }
 
     void note(const quadcut::FollowUpdate& update) {
@@ -181,14 +184,11 @@ private:
 
     void check() {
         std::map<std::uint32_t, std::size_t> cells;
-        for (std::int32_t y = -2 * kReach; y < 2 * kReach; ++y) {
-            for (std::int32_t x = -2 * kReach; x < 2 * kReach; ++x) {
-                const auto found = log_odds_.find({x, y});
-                const int expected = found == log_odds_.end() ? 0 : found->second;
-                require(follower_.map().log_odds({x, y}) == expected);
-                const std::uint32_t room = follower_.room_cells().room({x, y});
-                if (room != 0) ++cells[room];
-            }
+        for (std::size_t i = 0; i < log_odds_.values.size(); ++i) {
+            const Cell cell = log_odds_.cell(i);
+            require(follower_.map().log_odds(cell) == log_odds_.values[i]);
+            const std::uint32_t room = follower_.room_cells().room(cell);
+            if (room != 0) ++cells[room];
         }
         require(cells.size() == follower_.num_rooms());
         for (const auto& [id, room] : follower_.followed()) {
@@ -196,12 +196,11 @@ private:
             require(!room.is_locked || locked_cells_.at(id) == room.num_cells);
         }
         require(follower_.map().leaves().size() == follower_.map().num_leaves());
-        static_cast<void>(follower_.rooms());
     }
 
     Bytes bytes_;
     quadcut::Follower follower_;
-    std::map<std::pair<std::int32_t, std::int32_t>, int> log_odds_;
+    quadcut::Raster<std::int8_t> log_odds_{{kLow, kLow}, kSide, kSide};
     std::map<std::pair<std::int32_t, std::int32_t>, quadcut::FollowedTile> saved_;
     std::set<std::uint32_t> ids_;
     std::map<std::size_t, std::size_t> locked_cells_;

@@ -15,6 +15,34 @@
 namespace quadcut {
 namespace {
 
+/// The updated leaves, and those of submaps that were seen with something new.
+struct Candidates {
+    std::vector<LeafId> nodes;
+    std::vector<std::uint32_t> submap_of_node;
+    std::vector<bool> is_new;
+};
+
+Candidates find_candidates(const SubmapWindow& window, const FreeLeaves& leaves) {
+    Candidates result;
+    for (const LeafId id : leaves.nodes) {
+        const Leaf& leaf = leaves.table.leaf(id);
+        const std::int32_t half = leaf.side_cells() / 2;
+        const Cell centre{leaf.lower_left.x + half, leaf.lower_left.y + half};
+        const std::uint32_t submap = window.submaps.at(centre);
+        bool is_updated = submap == 0;
+        for (std::int32_t y = 0; y < leaf.side_cells() && !is_updated; ++y) {
+            for (std::int32_t x = 0; x < leaf.side_cells() && !is_updated; ++x) {
+                is_updated = window.updated.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) != 0;
+            }
+        }
+        if (!is_updated && window.seen.count(submap) == 0) continue;
+        result.nodes.push_back(id);
+        result.submap_of_node.push_back(submap);
+        result.is_new.push_back(is_updated);
+    }
+    return result;
+}
+
 /// The old submaps that go to the temporary list.
 std::set<std::uint32_t> relevant_submaps(const SubmapWindow& window,
                                          const std::vector<WeightedEdge>& edges,
@@ -78,26 +106,11 @@ LocalCut cut_submaps(const SubmapWindow& window, const SegmentOptions& options,
     GridMap map;
     map.resolution_m = window.resolution_m;
     map.states = window.states;
-    FreeLeaves leaves = free_leaves(map);
-    std::vector<LeafId> nodes;
-    std::vector<std::uint32_t> submap_of_node;
-    std::vector<bool> is_new;
-    for (const LeafId id : leaves.nodes) {
-        const Leaf& leaf = leaves.table.leaf(id);
-        const std::int32_t half = leaf.side_cells() / 2;
-        const Cell centre{leaf.lower_left.x + half, leaf.lower_left.y + half};
-        const std::uint32_t submap = window.submaps.at(centre);
-        bool is_updated = submap == 0;
-        for (std::int32_t y = 0; y < leaf.side_cells() && !is_updated; ++y) {
-            for (std::int32_t x = 0; x < leaf.side_cells() && !is_updated; ++x) {
-                is_updated = window.updated.at({leaf.lower_left.x + x, leaf.lower_left.y + y}) != 0;
-            }
-        }
-        if (!is_updated && window.seen.count(submap) == 0) continue;
-        nodes.push_back(id);
-        submap_of_node.push_back(submap);
-        is_new.push_back(is_updated);
-    }
+    const FreeLeaves leaves = free_leaves(map);
+    const Candidates candidates = find_candidates(window, leaves);
+    const std::vector<LeafId>& nodes = candidates.nodes;
+    const std::vector<std::uint32_t>& submap_of_node = candidates.submap_of_node;
+    const std::vector<bool>& is_new = candidates.is_new;
     const std::vector<WeightedEdge> edges =
         sight_edges(leaves.table, nodes, window.resolution_m, options.paper.self_loops, executor);
     std::set<std::uint32_t> taken = relevant_submaps(window, edges, submap_of_node, is_new);

@@ -31,6 +31,15 @@ LogPosition some_log() {
     return position;
 }
 
+std::filesystem::path project_of_two_rooms(const ScratchFolder& folder) {
+    const auto path = folder.path() / "p.quadcut";
+    Project project = Project::create(path, {}, some_log());
+    Follower follower = project.follower();
+    follower.update_cells(test::hall_with_wall());
+    project.save(follower, some_log());
+    return path;
+}
+
 TEST(Project, AFollowerGoesOnFromWhatWasSaved) {
     const ScratchFolder folder;
     const std::vector<Scan> scans = scans_in(small_building(3));
@@ -123,13 +132,7 @@ TEST(Project, WhatIsNoProjectIsRefused) {
 
 TEST(Project, RowsThatCannotBeAreRefused) {
     const ScratchFolder folder;
-    const auto path = folder.path() / "p.quadcut";
-    {
-        Project project = Project::create(path, {}, some_log());
-        Follower follower = project.follower();
-        follower.update_cells(test::hall_with_wall());
-        project.save(follower, some_log());
-    }
+    const auto path = project_of_two_rooms(folder);
     const std::string good = io::read_file(path);
     for (const std::string sql : {"UPDATE tiles SET log_odds = x'0102' WHERE x = 3 AND y = 3",
                                   "UPDATE tiles SET log_odds = 7 WHERE x = 3 AND y = 3",
@@ -163,13 +166,7 @@ TEST(Project, RowsThatCannotBeAreRefused) {
 
 TEST(Project, DamagedBytesAreAnErrorOrNoHarm) {
     const ScratchFolder folder;
-    const auto path = folder.path() / "p.quadcut";
-    {
-        Project project = Project::create(path, {}, some_log());
-        Follower follower = project.follower();
-        follower.update_cells(test::hall_with_wall());
-        project.save(follower, some_log());
-    }
+    const auto path = project_of_two_rooms(folder);
     const std::string good = io::read_file(path);
     Random random(3);
     int num_errors = 0;
