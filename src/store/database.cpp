@@ -15,6 +15,7 @@ namespace {
 
 /// No text or blob of ours is larger; a file that says otherwise is not read.
 constexpr int kMaxValueBytes = 1 << 26;
+constexpr int kPatienceMs = 1000;
 
 struct CloseDatabase {
     void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
@@ -172,6 +173,8 @@ sqlite3* opened(const std::filesystem::path& path, int flags) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMaxValueBytes);
     sqlite3_extended_result_codes(handle, 0);
+    // A program that was killed may hold its locks for a moment more.
+    sqlite3_busy_timeout(handle, kPatienceMs);
     return owner.release();
 }
 
