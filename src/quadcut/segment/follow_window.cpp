@@ -19,7 +19,7 @@ constexpr double kGrownShare = 1.25;
 constexpr double kGrownM2 = 2.0;
 /// Rooms with cells this near to a change are cut again, as far as this from it.
 constexpr double kTouchedM = 1.0;
-constexpr double kFarM = 18.0;
+constexpr double kFarM = 20.0;
 /// What lies farther than this from a cell plays next to no part in what is decided there.
 constexpr double kContextM = 10.0;
 
