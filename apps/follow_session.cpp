@@ -34,8 +34,9 @@ void require_same(const std::filesystem::path& path, FollowOptions project, Foll
         const std::string before = io::option_text(had[i]);
         const std::string now = io::option_text(has[i]);
         if (had[i].name == "threads" || before == now) continue;
-        throw InputError(name + ": was begun with " + std::string(had[i].name) + " = " + before +
-                         ": expected the same for this run, not " + now);
+        std::string what = name;
+        what.append(": was begun with ").append(had[i].name).append(" = ").append(before);
+        throw InputError(what.append(": expected the same for this run, not ").append(now));
     }
 }
 

@@ -100,7 +100,9 @@ inline double known_m2(const OccupancyMap& map) {
 }  // namespace follow_log
 
 inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOptions& options = {}) {
-    using namespace follow_log;
+    using follow_log::known_m2;
+    using follow_log::ms_since;
+    using follow_log::obstacles;
     constexpr std::size_t kWindow = 100;
     const std::size_t sample = std::max<std::size_t>(1, scans.size() / 200);
     FollowedLog result;

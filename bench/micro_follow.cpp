@@ -33,7 +33,7 @@ std::filesystem::path logs_folder() {
 }
 
 std::filesystem::path output_folder() {
-    const std::filesystem::path folder = std::filesystem::path(QUADCUT_SOURCE_DIR) / "build/follow";
+    std::filesystem::path folder = std::filesystem::path(QUADCUT_SOURCE_DIR) / "build/follow";
     std::filesystem::create_directories(folder);
     return folder;
 }
@@ -266,11 +266,10 @@ void follow_in_another_order(std::vector<std::string> names) {
 
 /// The bytes of a result's files, without times.
 std::map<std::string, std::string> untimed(const std::filesystem::path& folder) {
-    static const std::regex kTimes(R"("[a-z_]*_ms": ?(\{[^}]*\}|[^,}\n]*))");
+    static const std::regex times(R"("[a-z_]*_ms": ?(\{[^}]*\}|[^,}\n]*))");
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        files[entry.path().filename()] =
-            std::regex_replace(io::read_file(entry.path()), kTimes, "");
+        files[entry.path().filename()] = std::regex_replace(io::read_file(entry.path()), times, "");
     }
     return files;
 }

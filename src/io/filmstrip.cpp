@@ -105,8 +105,9 @@ std::string render_filmstrip(std::span<const Moment> moments) {
     std::map<RoomId, Rgb> colors_of_rooms;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const Moment& moment = moments[i];
+        const std::size_t row = i / kPerRow;
         const Point corner{kGap + static_cast<double>(i % kPerRow) * (width + kGap),
-                           kGap + static_cast<double>(i / kPerRow) * (height + kCaption + kGap)};
+                           kGap + static_cast<double>(row) * (height + kCaption + kGap)};
         const std::vector<Rgb> colors =
             room_colors(moment.rooms, find_near_rooms(moment.map, moment.rooms), colors_of_rooms);
         for (std::size_t room = 0; room < colors.size(); ++room) {
