@@ -3,7 +3,6 @@
 #include "quadcut/graph/graph.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/describe.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

@@ -20,7 +20,7 @@ constexpr double kPatchM = 4.0;
 /// there is nothing else to do, and once after each cut.
 constexpr double kMinStale = 0.02;
 constexpr double kMuchStale = 0.1;
-/// Of the map's bounding box: 820 m a side at 5 cm.
+/// Of the map's bounding box: 820 m a side at 5 cm. No coordinate of a cell is larger, either.
 constexpr double kMaxCells = 268435456.0;
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -62,9 +62,6 @@ std::vector<Box> patches(const std::map<std::pair<std::int32_t, std::int32_t>, s
     }
     return result;
 }
-
-/// Within the limits of a map.
-constexpr double kFarCells = 268435456.0;
 
 /// The cells of tiles.
 Box cells_of_tiles(const Box& tiles) {
@@ -243,7 +240,7 @@ RoomId Follower::room_at(const Point& point) const {
     const double x = point.x / options_.resolution_m;
     const double y = point.y / options_.resolution_m;
     // Written so that NaN is nowhere, too.
-    if (!(std::abs(x) < kFarCells && std::abs(y) < kFarCells)) return RoomId{};
+    if (!(std::abs(x) < kMaxCells && std::abs(y) < kMaxCells)) return RoomId{};
     return RoomId{cells_.room(map_.cell_at(point))};
 }
 

@@ -179,6 +179,10 @@ private:
     void take_tile(const FollowedTile& tile);
     [[nodiscard]] std::uint32_t existing(RoomId room) const;
     void add_split_line(const SplitLine& line);
+    void remove_split_lines_between(std::uint32_t room, std::uint32_t other);
+    /// What an edit did, as an update.
+    [[nodiscard]] FollowUpdate by_hand(RoomLife life, std::uint32_t room,
+                                       std::uint32_t other) const;
     void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;
 
     FollowOptions options_;

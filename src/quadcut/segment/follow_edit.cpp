@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/follow.hpp"
@@ -39,8 +39,7 @@ void for_each_cell(const RoomCells& cells, std::uint32_t room, const Box& box, c
 
 std::uint32_t Follower::existing(RoomId room) const {
     const auto number = static_cast<std::uint32_t>(room);
-    const auto found = rooms_.find(number);
-    if (found == rooms_.end()) {
+    if (rooms_.count(number) == 0) {
         throw InputError("there is no room " + std::to_string(number) + ": expected one of the " +
                          std::to_string(rooms_.size()) + " rooms that there are");
     }
@@ -62,9 +61,8 @@ FollowUpdate Follower::merge(RoomId room, RoomId other) {
     const std::uint32_t into = existing(room);
     const std::uint32_t from = existing(other);
     if (into == from) throw InputError("a room cannot be merged with itself");
-    for (const std::uint32_t number : {into, from}) {
-        if (!rooms_.at(number).is_locked) continue;
-        throw InputError("room " + std::to_string(number) + " is locked: it keeps its border");
+    if (rooms_.at(into).is_locked || rooms_.at(from).is_locked) {
+        throw InputError("one of the rooms is locked: it keeps its border");
     }
     bool do_touch = false;
     const Box box = rooms_.at(from).box;
@@ -77,6 +75,7 @@ FollowUpdate Follower::merge(RoomId room, RoomId other) {
         throw InputError("rooms " + std::to_string(into) + " and " + std::to_string(from) +
                          " do not touch: a room is connected");
     }
+    remove_split_lines_between(into, from);
     for_each_cell(cells_, from, box, [&](Cell cell) { cells_.set_room(cell, into); });
     FollowedRoom& whole = rooms_.at(into);
     const FollowedRoom& part = rooms_.at(from);
@@ -91,12 +90,7 @@ FollowUpdate Follower::merge(RoomId room, RoomId other) {
     for (auto& [id, followed] : rooms_) {
         if (other_group != 0 && followed.merge_group == other_group) followed.merge_group = group;
     }
-    FollowUpdate update;
-    update.scan = num_scans_;
-    update.num_rooms = rooms_.size();
-    update.num_leaves = map_.num_leaves();
-    update.events.push_back({RoomLife::merged, RoomId{from}, RoomId{into}, "by hand"});
-    return update;
+    return by_hand(RoomLife::merged, from, into);
 }
 
 FollowUpdate Follower::split(const Point& from, const Point& to) {
@@ -142,11 +136,15 @@ FollowUpdate Follower::split(const Point& from, const Point& to) {
     room.num_cells -= plan.part.size();
     const double cell_m2 = resolution_m * resolution_m;
     smaller.announced_m2 = static_cast<double>(smaller.num_cells) * cell_m2;
+    return by_hand(RoomLife::split, part, number);
+}
+
+FollowUpdate Follower::by_hand(RoomLife life, std::uint32_t room, std::uint32_t other) const {
     FollowUpdate update;
     update.scan = num_scans_;
     update.num_rooms = rooms_.size();
     update.num_leaves = map_.num_leaves();
-    update.events.push_back({RoomLife::split, RoomId{part}, RoomId{number}, "by hand"});
+    update.events.push_back({life, RoomId{room}, RoomId{other}, "by hand"});
     return update;
 }
 
@@ -155,6 +153,23 @@ void Follower::lock(RoomId room) { rooms_.at(existing(room)).is_locked = true; }
 void Follower::add_split_line(const SplitLine& line) {
     split_lines_.push_back(line);
     for (const Cell cell : cells_of(line)) split_cells_.emplace(cell.y, cell.x);
+}
+
+/// Who merges what was cut by hand takes that cut back: as a wall it would part them again.
+void Follower::remove_split_lines_between(std::uint32_t room, std::uint32_t other) {
+    split_cells_.clear();
+    for (const SplitLine& line : std::exchange(split_lines_, {})) {
+        std::set<std::uint32_t> beside;
+        for (const Cell cell : cells_of(line)) {
+            // The ends lie in walls, behind which other rooms may be.
+            if (cells_.room(cell) == 0) continue;
+            for (const Cell step : kBeside) {
+                beside.insert(cells_.room({cell.x + step.x, cell.y + step.y}));
+            }
+        }
+        beside.erase(0);
+        if (beside != std::set<std::uint32_t>{room, other}) add_split_line(line);
+    }
 }
 
 /// The cells of lines where people cut belong to the room beside them.

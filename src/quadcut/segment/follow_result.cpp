@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // What a follower knows, as a Segmentation.
 #include <map>
-#include <utility>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/clearance.hpp"

@@ -10,11 +10,6 @@
 namespace quadcut {
 namespace {
 
-OccupancyMap empty_map(const FollowOptions& options, const FollowerState& state) {
-    if (!state.root) return OccupancyMap(options.resolution_m);
-    return OccupancyMap(options.resolution_m, {}, *state.root);
-}
-
 std::string name_of(Cell tile) {
     return "tile (" + std::to_string(tile.x) + ", " + std::to_string(tile.y) + ")";
 }
@@ -25,7 +20,8 @@ bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(c
 
 Follower::Follower(const FollowOptions& options, const FollowerState& state)
     : options_(with_preset(options)),
-      map_(empty_map(options, state)),
+      map_(state.root ? OccupancyMap(options.resolution_m, {}, *state.root)
+                      : OccupancyMap(options.resolution_m)),
       num_scans_(state.num_scans),
       written_(state.written),
       rooms_(state.rooms),

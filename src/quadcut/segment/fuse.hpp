@@ -7,7 +7,6 @@
 #include <queue>
 #include <span>
 #include <tuple>
-#include <vector>
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/options.hpp"

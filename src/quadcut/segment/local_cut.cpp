@@ -3,12 +3,12 @@
 #include "quadcut/segment/local_cut.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/segment/part_rooms.hpp"
 #include "quadcut/segment/rooms.hpp"
 
 namespace quadcut {
@@ -38,23 +38,6 @@ Raster<std::uint8_t> cells_to_cut(const LocalWindow& window, double min_componen
         kept.values[i] = is_kept[parts.labels.values[i]] ? 1 : 0;
     }
     return kept;
-}
-
-/// The room that most cells of each part had; 0 where most had none.
-std::vector<std::uint32_t> majority_rooms(const Raster<std::uint32_t>& parts, std::uint32_t count,
-                                          const Raster<std::uint32_t>& rooms) {
-    std::vector<std::map<std::uint32_t, std::size_t>> shares(count + std::size_t{1});
-    for (std::size_t i = 0; i < parts.values.size(); ++i) {
-        if (parts.values[i] != 0) ++shares[parts.values[i]][rooms.values[i]];
-    }
-    std::vector<std::uint32_t> result;
-    for (const auto& share : shares) {
-        const auto most =
-            std::max_element(share.begin(), share.end(),
-                             [](const auto& p, const auto& q) { return p.second < q.second; });
-        result.push_back(most == share.end() ? 0 : most->first);
-    }
-    return result;
 }
 
 /// What the pieces on the edge have beyond it; those that are connected there are one region.
@@ -171,24 +154,10 @@ Parts divide(const LocalWindow& window, const RoomsCut& cut,
     return result;
 }
 
-/// Calls visit(i, j) for neighbours among the cells.
-template <typename Visit>
-void for_each_pair(const Raster<std::uint32_t>& raster, const Visit& visit) {
-    const auto width = static_cast<std::size_t>(raster.width);
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        if ((i + 1) % width != 0) visit(i, i + 1);
-        if (i + width < raster.values.size()) visit(i, i + width);
-    }
-}
-
 /// Joins a new region with the rooms in which it goes on, and what people made one.
 void join_across_borders(const LocalWindow& window, const RoomsCut& cut, const Parts& parts,
                          LabelSets& sets) {
-    std::vector<std::uint32_t> group_of;
-    for (const std::uint32_t room : parts.earlier_room) {
-        const auto found = window.merge_groups.find(room);
-        group_of.push_back(found == window.merge_groups.end() ? 0 : found->second);
-    }
+    const std::vector<std::uint32_t> group_of = groups_of(parts.earlier_room, window.merge_groups);
     for_each_pair(parts.labels, [&](std::size_t i, std::size_t j) {
         const std::uint32_t a = parts.labels.values[i];
         const std::uint32_t b = parts.labels.values[j];

@@ -48,7 +48,7 @@ struct LocalOpening {
     Cell a;
     Cell b;
     float clearance_m = 0.0F;
-    /// The rooms when it was found.
+    /// Its rooms, in what is saved.
     std::uint32_t room_a = 0;
     std::uint32_t room_b = 0;
 };

@@ -3,7 +3,6 @@
 #include "quadcut/segment/local_submaps.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/find_submaps.hpp"
 #include "quadcut/segment/free_leaves.hpp"
+#include "quadcut/segment/part_rooms.hpp"
 
 namespace quadcut {
 namespace {
@@ -50,13 +50,11 @@ std::set<std::uint32_t> relevant_submaps(const SubmapWindow& window,
                                          const std::vector<bool>& is_new) {
     std::set<std::uint32_t> relevant;
     for (const WeightedEdge& edge : edges) {
-        for (const auto& [a, b] : {std::pair{edge.a, edge.b}, std::pair{edge.b, edge.a}}) {
-            const std::uint32_t submap = submap_of_node[b];
-            if (is_new[a] && window.seen.count(submap) != 0) relevant.insert(submap);
-            // A leaf that is new where a submap was takes that submap along.
-            if (is_new[a] && window.seen.count(submap_of_node[a]) != 0) {
-                relevant.insert(submap_of_node[a]);
-            }
+        // A leaf that is new where a submap was takes that submap along.
+        if (!is_new[edge.a] && !is_new[edge.b]) continue;
+        for (const std::uint32_t node : {edge.a, edge.b}) {
+            const std::uint32_t submap = submap_of_node[node];
+            if (window.seen.count(submap) != 0) relevant.insert(submap);
         }
     }
     return relevant;
@@ -64,34 +62,16 @@ std::set<std::uint32_t> relevant_submaps(const SubmapWindow& window,
 
 /// Regions that touch, of submaps which people have made one, are joined.
 void join_merged(const SubmapWindow& window, LocalCut& cut) {
-    std::vector<std::map<std::uint32_t, std::size_t>> shares(cut.num_regions + std::size_t{1});
-    const auto is_region = [](std::uint32_t region) { return region != 0 && region != kNotCut; };
-    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
-        const std::uint32_t region = cut.regions.values[i];
-        if (is_region(region)) ++shares[region][window.submaps.values[i]];
-    }
-    std::vector<std::uint32_t> group_of(shares.size(), 0);
+    const std::vector<std::uint32_t> group_of = groups_of(
+        majority_rooms(cut.regions, cut.num_regions, window.submaps), window.merge_groups);
     LabelSets sets;
-    for (std::size_t region = 1; region < shares.size(); ++region) {
-        sets.add();
-        const auto most =
-            std::max_element(shares[region].begin(), shares[region].end(),
-                             [](const auto& p, const auto& q) { return p.second < q.second; });
-        if (most == shares[region].end()) continue;
-        const auto found = window.merge_groups.find(most->first);
-        if (found != window.merge_groups.end()) group_of[region] = found->second;
-    }
-    const auto width = static_cast<std::size_t>(cut.regions.width);
-    const auto join = [&](std::size_t i, std::size_t j) {
+    for (std::uint32_t region = 1; region <= cut.num_regions; ++region) sets.add();
+    for_each_pair(cut.regions, [&](std::size_t i, std::size_t j) {
         const std::uint32_t a = cut.regions.values[i];
         const std::uint32_t b = cut.regions.values[j];
-        if (a == b || !is_region(a) || !is_region(b)) return;
-        if (group_of[a] != 0 && group_of[a] == group_of[b]) sets.join(a, b);
-    };
-    for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {
-        if ((i + 1) % width != 0) join(i, i + 1);
-        if (i + width < cut.regions.values.size()) join(i, i + width);
-    }
+        if (a == b || a == kNotCut || b == kNotCut || group_of[a] == 0) return;
+        if (group_of[a] == group_of[b]) sets.join(a, b);
+    });
     const std::vector<std::uint32_t> numbers = sets.numbers();
     for (std::uint32_t& region : cut.regions.values) {
         if (region != kNotCut) region = numbers[region];

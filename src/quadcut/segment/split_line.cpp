@@ -27,10 +27,8 @@ constexpr int kNumDirections = 12;
 /// So that the answer takes seconds at most.
 constexpr std::size_t kMaxCellsToSearch = 400000000;
 
-Cell cell_at(const Point& point) { return cell_of(point); }
-
 bool is_in(const Raster<std::uint8_t>& room, const Point& point) {
-    const Cell cell = cell_at(point);
+    const Cell cell = cell_of(point);
     return room.contains(cell) && room.at(cell) != 0;
 }
 
@@ -80,7 +78,7 @@ SplitLine drawn_to_walls(const Raster<std::uint8_t>& room, const Point& middle,
     const Point back{-direction.x, -direction.y};
     const Point end = along(middle, direction, free_length(room, middle, direction) + into_wall);
     const Point begin = along(middle, back, free_length(room, middle, back) + into_wall);
-    return {cell_at(begin), cell_at(end)};
+    return {cell_of(begin), cell_of(end)};
 }
 
 /// Why a line that reaches the walls is no cut; fills `part` when it is one.
@@ -169,9 +167,7 @@ std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room, const P
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& p, const auto& q) { return p.first < q.first; });
-    const std::size_t max_places =
-        std::max<std::size_t>(50, kMaxCellsToSearch / std::max<std::size_t>(1, room.values.size()));
-    if (places.size() > max_places) places.resize(max_places);
+    places.resize(std::min(places.size(), kMaxCellsToSearch / (room.values.size() + 1) + 50));
     for (const auto& [far, place] : places) {
         const Point direction{std::cos(place.second), std::sin(place.second)};
         const SplitLine line =

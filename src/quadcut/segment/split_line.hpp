@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

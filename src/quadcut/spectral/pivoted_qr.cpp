@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/spectral/pivoted_qr.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 

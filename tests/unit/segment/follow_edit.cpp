@@ -121,6 +121,19 @@ TEST(FollowEdit, ASplitLineStaysACut) {
     EXPECT_NEAR(rooms.doors.front().width_m, 5.0, 0.3);
 }
 
+TEST(FollowEdit, AMergeTakesASplitBack) {
+    Follower follower;
+    follower.update_cells(bare_hall());
+    const RoomId hall = follower.room_at({9.0, 3.0});
+    const RoomId part = follower.split({4.0, 1.0}, {4.0, 5.0}).events.front().room;
+    follower.merge(hall, part);
+    EXPECT_TRUE(follower.split_lines().empty());
+    cut_again(follower, CellState::occupied);
+    cut_again(follower, CellState::free);
+    EXPECT_EQ(follower.num_rooms(), 1U);
+    EXPECT_EQ(follower.room_at({2.0, 3.0}), hall);
+}
+
 TEST(FollowEdit, WhatCannotBeSplitIsSaidWithTheNearestCut) {
     Follower follower;
     follower.update_cells(bare_hall());
