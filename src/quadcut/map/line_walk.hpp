@@ -12,8 +12,12 @@ namespace quadcut {
 
 /// The cell that holds a point; both in cells. @pre |point| < 2^31.
 [[nodiscard]] inline Cell cell_of(const Point& point) {
-    return {static_cast<std::int32_t>(std::floor(point.x)),
-            static_cast<std::int32_t>(std::floor(point.y))};
+    // Without SSE 4.1 std::floor is a call.
+    const auto floor = [](double value) {
+        const auto toward_zero = static_cast<std::int32_t>(value);
+        return toward_zero - (static_cast<double>(toward_zero) > value ? 1 : 0);
+    };
+    return {floor(point.x), floor(point.y)};
 }
 
 /// The point `length` times `direction` away.

@@ -59,40 +59,55 @@ struct RegionsView {
 /// Paths from a saddle end here, metres.
 inline constexpr double kNarrowingReachM = 5.0;
 
-/// Measures saddles; keeps its working memory (a window of 5 m around the saddle) between calls.
+/// One side of a saddle, and what its measure depends on.
+struct WalkedSide {
+    SideOfSaddle side;
+    /// The other regions that the walk came up against: as long as none of them becomes a part of
+    /// the region walked in, the side stays as it is.
+    std::vector<std::uint32_t> met;
+};
+
+/// Walks out from saddles; keeps its working memory (a window of 5 m around) between calls.
 class NarrowingGauge {
 public:
     /// `clearance_m` must outlive the gauge.
     NarrowingGauge(const Raster<float>& clearance_m, double resolution_m);
 
-    /// Paths stay inside the region that they start in, and go in steps of 0.1 m whatever the
-    /// resolution. O(area within 5 m).
+    /// What lies on the side of a saddle's cell `seed`, of an opening that runs `along`. Paths stay
+    /// inside the seed's region, and go in steps of 0.1 m whatever the resolution.
+    /// O(area within 5 m).
+    [[nodiscard]] WalkedSide walk_outward(Cell seed, const Direction& along,
+                                          const RegionsView& regions);
+    /// The opening and both sides.
     [[nodiscard]] Narrowing measure(const Saddle& saddle, const RegionsView& regions);
 
 private:
-    /// What a walk knows of a place, if it holds the walk's number.
-    struct Place {
-        std::uint32_t walk = 0;
-        /// Of the shortest path so far, in fifths of a step; 0 where no path leads on.
-        std::uint32_t length = 0;
-        float clearance_m = 0.0F;
-        /// How far it lies from the saddle along the opening, in steps.
-        float aside = 0.0F;
+    /// A place of the window around the seed, and the direction of the last step to it.
+    struct Reached {
+        std::uint16_t place = 0;
+        std::uint16_t way = 0;
     };
-
-    SideOfSaddle walk_outward(Cell seed, const Direction& along, const RegionsView& regions);
+    class Walk;
 
     const Raster<float>& clearance_;
     double resolution_m_;
     std::int32_t stride_cells_;
     double step_m_;
-    /// Of the window of places around the saddle; its rows are a power of two long.
+    /// Of the window of places; its rows are a power of two long.
     std::int32_t radius_;
     unsigned row_bits_;
-    std::vector<Place> places_;
-    std::uint32_t walk_ = 0;
-    /// The places to visit by path length, in fifths of a step: 5 straight, 7 diagonal.
-    std::vector<std::vector<std::uint32_t>> buckets_;
+    /// In fifths of a step: the longest path, and those up to which something is noted.
+    unsigned longest_;
+    std::array<unsigned, 3> noted_at_{};
+    /// By place, the length of the shortest path so far.
+    std::vector<std::uint16_t> length_;
+    /// The places to visit next by path length: no step is longer than 7.
+    std::array<std::vector<Reached>, 8> fronts_;
 };
+
+/// Both sides and the opening of a saddle put together.
+[[nodiscard]] Narrowing put_together(const Saddle& saddle, const Opening& opening,
+                                     const SideOfSaddle& side_a, const SideOfSaddle& side_b,
+                                     double resolution_m);
 
 }  // namespace quadcut

@@ -12,6 +12,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/map/line_walk.hpp"
 
 namespace quadcut {
 namespace {
@@ -79,8 +80,7 @@ public:
 
 private:
     [[nodiscard]] bool is_free(const Point& at) const {
-        const Cell cell{static_cast<std::int32_t>(std::floor(at.x)),
-                        static_cast<std::int32_t>(std::floor(at.y))};
+        const Cell cell = cell_of(at);
         return free_.contains(cell) && free_.at(cell) != 0;
     }
     [[nodiscard]] bool has_face(const Point& at, const Point& side) const {

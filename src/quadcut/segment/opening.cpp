@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/map/line_walk.hpp"
 
 namespace quadcut {
 namespace {
@@ -29,8 +30,7 @@ struct Surroundings {
         return clearance.contains(cell) && clearance.at(cell) > 0.0F;
     }
     [[nodiscard]] bool is_open(const Point& at) const {
-        return is_open(Cell{static_cast<std::int32_t>(std::floor(at.x)),
-                            static_cast<std::int32_t>(std::floor(at.y))});
+        return is_open(cell_of(at));
     }
     /// Whether there is free space within 0.4 m of a point, to that side.
     [[nodiscard]] bool is_open_beside(const Point& at, const Direction& side) const {

@@ -48,7 +48,6 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
             Extent& extent = extent_[piece];
             extent.area_m2 += resolution_m * resolution_m;
             extent.peak_m = std::max(extent.peak_m, static_cast<double>(clearance_m.values[i]));
-            extent.box.include({cell, cell});
             if (i + 1 < row + width && is_border(piece, i + 1)) meet(cell, {cell.x + 1, cell.y});
             if (row + width < pieces.values.size() && is_border(piece, i + width)) {
                 meet(cell, {cell.x, cell.y + 1});
@@ -70,60 +69,84 @@ std::size_t RegionGraph::num_saddles() const {
 }
 
 void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
-    for (const auto& [other, saddle] : saddles_[a]) {
-        if (is_near(extent_[b].box, saddle)) measured_.erase(pair_of(a, other));
-    }
+    for (const auto& [other, saddle] : saddles_[a]) forget_if_met(a, other, b);
+    for (const auto& [other, saddle] : saddles_[b]) forget_if_met(b, other, a);
     for (const std::uint32_t piece : members_[b]) region_[piece] = a;
     members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
     members_[b].clear();
     extent_[a].area_m2 += extent_[b].area_m2;
     extent_[a].peak_m = std::max(extent_[a].peak_m, extent_[b].peak_m);
     extent_[a].num_openings += extent_[b].num_openings;
-    extent_[a].box.include(extent_[b].box);
     ++version_[a];
     saddles_[a].erase(b);
+    measured_.erase(pair_of(a, b));
     for (const auto& [other, saddle] : saddles_[b]) {
         saddles_[other].erase(b);
-        measured_.erase(pair_of(b, other));
+        auto measured = measured_.extract(pair_of(b, other));
         if (other == a) continue;
-        measured_.erase(pair_of(a, other));
-        widen(saddles_[a], other, saddle);
         widen(saddles_[other], a, {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts});
+        if (!widen(saddles_[a], other, saddle)) continue;
+        measured_.erase(pair_of(a, other));
+        // Seen from the other side an opening may have other jambs.
+        if (measured.empty() || (a < other) != (b < other)) continue;
+        measured.key() = pair_of(a, other);
+        measured_.insert(std::move(measured));
     }
     saddles_[b].clear();
 }
 
+/// What was measured in region `own`, at its saddle to `other`, before another one joins it.
+void RegionGraph::forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined) {
+    const auto found = measured_.find(pair_of(own, other));
+    if (found == measured_.end()) return;
+    std::optional<WalkedSide>& side = found->second.sides[own < other ? 0 : 1];
+    if (side && std::any_of(side->met.begin(), side->met.end(), [&](std::uint32_t region) {
+            return region_[region] == joined;
+        })) {
+        side.reset();
+    }
+}
+
+void RegionGraph::complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const {
+    if (!measured.opening) measured.opening = measure_opening(clearance_, resolution_m_, saddle);
+    const auto walk = [&](Cell seed, std::optional<WalkedSide>& side) {
+        if (!side) side = gauge.walk_outward(seed, measured.opening->along, {pieces_, region_});
+    };
+    walk(saddle.a, measured.sides[0]);
+    walk(saddle.b, measured.sides[1]);
+}
+
 Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
-    const auto [at, is_new] = measured_.try_emplace({a, b});
-    Narrowing& narrowing = at->second;
-    if (is_new) narrowing = gauge_.measure(saddles_[a].at(b), {pieces_, region_});
+    const Saddle& saddle = saddles_[a].at(b);
+    Measured& measured = measured_[{a, b}];
+    complete(saddle, measured, gauge_);
+    Narrowing narrowing = put_together(saddle, *measured.opening, measured.sides[0]->side,
+                                       measured.sides[1]->side, resolution_m_);
     describe(a, b, narrowing);
     return narrowing;
 }
 
 void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
-    struct Task {
-        std::pair<std::uint32_t, std::uint32_t> pair;
-        const Saddle* saddle = nullptr;
-        Narrowing narrowing;
-    };
-    std::vector<Task> tasks;
+    std::vector<std::pair<const Saddle*, Measured*>> tasks;
     for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
         for (const auto& [other, saddle] : saddles_[region]) {
-            if (other < region || measured_.count({region, other}) != 0) continue;
-            if (2.0 * static_cast<double>(saddle.clearance_m) <= max_width_m)
-                tasks.push_back({{region, other}, &saddle, {}});
+            if (other < region || 2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) {
+                continue;
+            }
+            Measured& measured = measured_[{region, other}];
+            if (!measured.opening || !measured.sides[0] || !measured.sides[1]) {
+                tasks.emplace_back(&saddle, &measured);
+            }
         }
     }
     parallel_for(executor, tasks.size(), kSaddlesPerChunk,
                  [&](std::size_t first, std::size_t last) {
                      NarrowingGauge gauge(clearance_, resolution_m_);
                      for (std::size_t i = first; i < last; ++i) {
-                         tasks[i].narrowing = gauge.measure(*tasks[i].saddle, {pieces_, region_});
+                         complete(*tasks[i].first, *tasks[i].second, gauge);
                      }
                  });
-    for (const Task& task : tasks) measured_.emplace(task.pair, task.narrowing);
 }
 
 Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
@@ -150,19 +173,15 @@ void RegionGraph::describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowin
     fill(narrowing.is_a_narrower ? b : a, narrowing.wider);
 }
 
-bool RegionGraph::is_near(const Box& box, const Saddle& saddle) const {
-    const auto reach = static_cast<std::int32_t>(std::ceil(kNarrowingReachM / resolution_m_)) + 1;
-    return saddle.a.x >= box.low.x - reach && saddle.a.x <= box.high.x + reach &&
-           saddle.a.y >= box.low.y - reach && saddle.a.y <= box.high.y + reach;
-}
-
-void RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
+bool RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
                         const Saddle& saddle) {
-    const auto [at, is_new] = saddles.emplace(other, saddle);
-    if (is_new) return;
+    const auto [at, is_first] = saddles.emplace(other, saddle);
+    if (is_first) return true;
+    const bool is_wider = saddle.clearance_m > at->second.clearance_m;
     const std::size_t num_contacts = at->second.num_contacts + saddle.num_contacts;
-    if (saddle.clearance_m > at->second.clearance_m) at->second = saddle;
+    if (is_wider) at->second = saddle;
     at->second.num_contacts = num_contacts;
+    return is_wider;
 }
 
 void RegionGraph::meet(Cell cell_a, Cell cell_b) {

@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -69,13 +72,21 @@ private:
         double peak_m = 0.0;
         /// Openings beyond the raster.
         std::size_t num_openings = 0;
-        Box box;
     };
 
-    static void widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
+    /// What has been measured at a saddle, as far as it still holds.
+    struct Measured {
+        std::optional<Opening> opening;
+        /// On the saddle's sides a and b.
+        std::array<std::optional<WalkedSide>, 2> sides;
+    };
+
+    /// Whether the wider of two saddles to the same region is the new one.
+    static bool widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
                       const Saddle& saddle);
+    void forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined);
+    void complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const;
     void meet(Cell cell_a, Cell cell_b);
-    [[nodiscard]] bool is_near(const Box& box, const Saddle& saddle) const;
     void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
 
     const Raster<std::uint32_t>& pieces_;
@@ -88,7 +99,7 @@ private:
     std::vector<std::uint32_t> version_;
     std::vector<std::map<std::uint32_t, Saddle>> saddles_;
     /// Of regions a < b, at the saddle of a.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Narrowing> measured_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Measured> measured_;
 };
 
 }  // namespace quadcut
