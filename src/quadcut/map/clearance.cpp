@@ -10,6 +10,7 @@ namespace quadcut {
 namespace {
 
 constexpr std::size_t kRowsPerChunk = 32;
+constexpr std::size_t kColumnsPerChunk = 256;
 
 /// Vertical distance, in cells, to the nearest blocked cell of the same column. Rows are swept
 /// whole, so that memory is read in order.
@@ -37,51 +38,81 @@ void sweep_columns(const Raster<std::uint8_t>& open, Raster<float>& out, std::si
 }
 
 /// The lower envelope of the parabolas (x - i)^2 + g_i^2 along one row, and its value at each x.
-/// One parabola outside each end of the row (g = 0) stands for the blocked outside.
+/// Runs of open cells are looked at one by one: no parabola reaches beyond a blocked cell, whose
+/// g = 0. Such a cell is at each end; outside of the row all are blocked.
 class RowEnvelope {
 public:
-    explicit RowEnvelope(std::size_t width)
-        : vertex_(width + 2), height_(width + 2), from_(width + 3) {}
+    explicit RowEnvelope(std::size_t width) : pieces_(width + 2), squared_(width) {}
 
     void transform(float* row, std::size_t width, float resolution_m) {
-        count_ = 0;
-        push(-1, 0.0);
-        for (std::size_t x = 0; x < width; ++x) {
-            push(static_cast<std::int64_t>(x), static_cast<double>(row[x]) * row[x]);
-        }
-        push(static_cast<std::int64_t>(width), 0.0);
-        std::size_t k = 0;
-        for (std::size_t x = 0; x < width; ++x) {
-            while (k + 1 < count_ && from_[k + 1] < static_cast<double>(x)) ++k;
-            if (row[x] == 0.0F) continue;
-            const double dx = static_cast<double>(x) - static_cast<double>(vertex_[k]);
-            const auto centre_distance = static_cast<float>(std::sqrt(dx * dx + height_[k]));
-            row[x] = (centre_distance - 0.5F) * resolution_m;
+        for (std::size_t x = 0; x < width;) {
+            if (row[x] == 0.0F) {
+                ++x;
+                continue;
+            }
+            const std::size_t begin = x;
+            while (x < width && row[x] != 0.0F) ++x;
+            transform_run(row, begin, x);
+            const auto length = static_cast<std::ptrdiff_t>(x - begin);
+            const double farthest = *std::max_element(squared_.begin(), squared_.begin() + length);
+            for (std::size_t i = begin; i < x; ++i) {
+                const double squared = squared_[i - begin];
+                // Whole numbers: below 2^24 the root of the float is the rounded root of the double.
+                const float centre_distance =
+                    farthest < kExactFloat ? std::sqrt(static_cast<float>(squared))
+                                           : static_cast<float>(std::sqrt(squared));
+                row[i] = (centre_distance - 0.5F) * resolution_m;
+            }
         }
     }
 
 private:
-    void push(std::int64_t vertex, double squared_height) {
+    static constexpr double kExactFloat = 16777216.0;
+
+    /// A parabola that is the lowest from x = numerator / denominator on.
+    struct Piece {
+        double vertex = 0.0;
+        double squared_height = 0.0;
+        double numerator = 0.0;
+        double denominator = 1.0;
+    };
+
+    void transform_run(const float* row, std::size_t begin, std::size_t end) {
+        count_ = 0;
+        push(static_cast<double>(begin) - 1.0, 0.0);
+        for (std::size_t x = begin; x < end; ++x) {
+            const auto height = static_cast<double>(row[x]);
+            push(static_cast<double>(x), height * height);
+        }
+        push(static_cast<double>(end), 0.0);
+        std::size_t k = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto x = static_cast<double>(i);
+            while (k + 1 < count_ && pieces_[k + 1].numerator < x * pieces_[k + 1].denominator) ++k;
+            const double dx = x - pieces_[k].vertex;
+            squared_[i - begin] = dx * dx + pieces_[k].squared_height;
+        }
+    }
+
+    void push(double vertex, double squared_height) {
+        Piece next{vertex, squared_height};
+        const double own = squared_height + vertex * vertex;
         while (count_ > 0) {
-            const auto top = static_cast<double>(vertex_[count_ - 1]);
-            const auto v = static_cast<double>(vertex);
+            const Piece& top = pieces_[count_ - 1];
             // Where the new parabola begins to be the lower one.
-            const double start =
-                (squared_height + v * v - height_[count_ - 1] - top * top) / (2.0 * (v - top));
-            if (count_ == 1 || start > from_[count_ - 1]) {
-                from_[count_] = start;
+            next.numerator = own - top.squared_height - top.vertex * top.vertex;
+            next.denominator = 2.0 * (vertex - top.vertex);
+            if (count_ == 1 ||
+                next.numerator * top.denominator > top.numerator * next.denominator) {
                 break;
             }
             --count_;
         }
-        vertex_[count_] = vertex;
-        height_[count_] = squared_height;
-        ++count_;
+        pieces_[count_++] = next;
     }
 
-    std::vector<std::int64_t> vertex_;
-    std::vector<double> height_;
-    std::vector<double> from_;
+    std::vector<Piece> pieces_;
+    std::vector<double> squared_;
     std::size_t count_ = 0;
 };
 
@@ -92,7 +123,7 @@ Raster<float> clearance_m(const Raster<std::uint8_t>& open, double resolution_m,
     Raster<float> out(open.origin, open.width, open.height);
     const auto width = static_cast<std::size_t>(open.width);
     const auto height = static_cast<std::size_t>(open.height);
-    parallel_for(executor, width, 1024, [&](std::size_t first, std::size_t last) {
+    parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
         sweep_columns(open, out, first, last);
     });
     parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "quadcut/map/connected_parts.hpp"
-
 namespace quadcut {
 namespace {
 
@@ -15,28 +13,33 @@ constexpr double kMinBuildingShare = 0.05;
 
 }  // namespace
 
-FreeComponents find_free_components(const Raster<CellState>& states) {
-    ConnectedParts parts = connected_parts(
-        states, [&](std::size_t i) { return states.values[i] == CellState::free; },
-        [](std::size_t, std::size_t) { return true; });
-    FreeComponents free{std::move(parts.labels), {}};
-    free.components.resize(parts.count);
-    const std::uint32_t* label = free.labels.values.data();
-    for (std::int32_t y = 0; y < states.height; ++y) {
-        const bool is_edge_row = y == 0 || y == states.height - 1;
-        for (std::int32_t x = 0; x < states.width; ++x, ++label) {
-            if (*label == 0) continue;
-            FreeComponents::Component& component = free.components[*label - 1];
-            ++component.num_cells;
-            if (is_edge_row || x == 0 || x == states.width - 1) ++component.num_border_cells;
+FreeComponents find_free_components(const Raster<CellState>& states, const Executor& executor) {
+    FreeComponents free;
+    free.origin = states.origin;
+    free.parts = connected_parts(
+        states, [&](std::size_t i) { return states.values[i] == CellState::free ? 1U : 0U; },
+        Connectivity::four, executor);
+    free.components.resize(free.parts.count);
+    const std::size_t num_rows = free.parts.row_begin.size() - 1;
+    for (std::size_t y = 0; y < num_rows; ++y) {
+        const bool is_edge_row = y == 0 || y + 1 == num_rows;
+        for (std::size_t i = free.parts.row_begin[y]; i < free.parts.row_begin[y + 1]; ++i) {
+            const CellRun& run = free.parts.runs[i];
+            FreeComponents::Component& component = free.components[run.part - 1];
+            const std::size_t length = run.end - run.begin;
+            const auto last_column = static_cast<std::uint32_t>(states.width - 1);
+            const std::size_t num_ends = (run.begin == 0 ? 1U : 0U) +
+                                         (run.end > last_column && last_column > 0 ? 1U : 0U);
+            component.num_cells += length;
+            component.num_border_cells += is_edge_row ? length : num_ends;
         }
     }
     return free;
 }
 
 std::optional<std::size_t> find_outside(const FreeComponents& free, std::size_t min_cells) {
-    const auto width = static_cast<std::size_t>(free.labels.width);
-    const auto height = static_cast<std::size_t>(free.labels.height);
+    const auto width = static_cast<std::size_t>(free.parts.width);
+    const std::size_t height = free.parts.row_begin.size() - 1;
     const std::size_t border =
         width < 2 || height < 2 ? width * height : 2 * width + 2 * height - 4;
     std::optional<std::size_t> outside;
@@ -56,19 +59,25 @@ std::optional<std::size_t> find_outside(const FreeComponents& free, std::size_t 
 
 std::vector<bool> components_with(const FreeComponents& free, std::span<const Cell> cells) {
     std::vector<bool> found(free.components.size(), false);
+    const Box box{free.origin,
+                  {free.origin.x + free.parts.width - 1,
+                   free.origin.y + static_cast<std::int32_t>(free.parts.row_begin.size()) - 2}};
     for (const Cell& cell : cells) {
-        const std::uint32_t label = free.labels.contains(cell) ? free.labels.at(cell) : 0;
-        if (label != 0) found[label - 1] = true;
+        if (!box.contains(cell)) continue;
+        const std::uint32_t part =
+            free.parts.part_at(static_cast<std::uint32_t>(cell.x - free.origin.x),
+                               static_cast<std::size_t>(cell.y - free.origin.y));
+        if (part != 0) found[part - 1] = true;
     }
     return found;
 }
 
 Raster<std::uint8_t> mask_of(const FreeComponents& free, const std::vector<bool>& kept) {
-    Raster<std::uint8_t> mask(free.labels.origin, free.labels.width, free.labels.height);
-    std::transform(free.labels.values.begin(), free.labels.values.end(), mask.values.begin(),
-                   [&](std::uint32_t label) {
-                       return label != 0 && kept[label - 1] ? std::uint8_t{1} : std::uint8_t{0};
-                   });
+    Raster<std::uint8_t> mask(free.origin, free.parts.width,
+                              static_cast<std::int32_t>(free.parts.row_begin.size() - 1));
+    std::vector<std::uint8_t> values(kept.size() + 1, 0);
+    std::copy(kept.begin(), kept.end(), values.begin() + 1);
+    free.parts.paint(values, mask);
     return mask;
 }
 

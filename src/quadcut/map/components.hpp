@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
 
@@ -21,12 +23,14 @@ struct FreeComponents {
         std::size_t num_border_cells = 0;  ///< of these, on the border of the raster
     };
 
-    Raster<std::uint32_t> labels;       ///< 0: not free; else 1 + index in `components`
+    ConnectedParts parts;               ///< part p is component p - 1
     std::vector<Component> components;  ///< in the order of their first cell, row by row
+    Cell origin;                        ///< of the raster
 };
 
 /// Runs of free cells joined row by row (union-find). O(cells).
-[[nodiscard]] FreeComponents find_free_components(const Raster<CellState>& states);
+[[nodiscard]] FreeComponents find_free_components(const Raster<CellState>& states,
+                                                  const Executor& executor = {});
 
 /// Index of the component that covers more than half of the raster's border, if there is one and
 /// the others together have at least a twentieth of its cells: the ground around a building.

@@ -7,32 +7,56 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/flood.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
 
-/// The connected parts (4 neighbours) of a set of cells.
+/// Cells beside each other in one row, columns begin .. end - 1, that belong to one part.
+struct CellRun {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::uint32_t part = 0;
+};
+
+/// The connected parts of a set of cells, as runs: a tenth of the memory of a raster of labels, or
+/// less.
 struct ConnectedParts {
-    /// 0: not in the set; else the number of the part, in the order of their first cells, row by
-    /// row.
-    Raster<std::uint32_t> labels;
+    std::int32_t width = 0;
+    /// Row by row; those of row y are row_begin[y] .. row_begin[y + 1] - 1.
+    std::vector<CellRun> runs;
+    std::vector<std::size_t> row_begin{0};
+    /// Parts are numbered from 1 in the order of their first cells, row by row.
     std::uint32_t count = 0;
 
-    /// The number of cells of each part; those of no part come first.
-    [[nodiscard]] std::vector<std::size_t> num_cells() const {
-        std::vector<std::size_t> result(count + std::size_t{1}, 0);
-        for (const std::uint32_t label : labels.values) ++result[label];
-        return result;
+    /// Calls `visit(run, offset of its first cell)` for all runs in order.
+    template <typename Visitor>
+    void for_each_run(const Visitor& visit) const {
+        for (std::size_t y = 0; y + 1 < row_begin.size(); ++y) {
+            for (std::size_t i = row_begin[y]; i < row_begin[y + 1]; ++i) {
+                visit(runs[i], y * static_cast<std::size_t>(width) + runs[i].begin);
+            }
+        }
     }
+    /// The number of cells of each part; nothing at 0, which is no part.
+    [[nodiscard]] std::vector<std::size_t> num_cells() const;
     /// The offsets of the cells, ascending, of each part that is `wanted`; of others none.
     [[nodiscard]] std::vector<std::vector<std::size_t>> cells_of(
-        const std::vector<bool>& wanted) const {
-        std::vector<std::vector<std::size_t>> result(count + std::size_t{1});
-        for (std::size_t i = 0; i < labels.values.size(); ++i) {
-            if (wanted[labels.values[i]]) result[labels.values[i]].push_back(i);
-        }
-        return result;
+        const std::vector<bool>& wanted) const;
+    /// `values[part]` in the cells of each part, `values[0]` in all others, into `cells`, a raster
+    /// of the same size.
+    template <typename T, typename Values>
+    void paint(const Values& values, Raster<T>& cells) const {
+        std::fill(cells.values.begin(), cells.values.end(), static_cast<T>(values[0]));
+        for_each_run([&](const CellRun& run, std::size_t first) {
+            std::fill_n(&cells.values[first], run.end - run.begin, static_cast<T>(values[run.part]));
+        });
     }
+    /// For each part, whether it has cells on the edge of the raster.
+    [[nodiscard]] std::vector<bool> on_edge() const;
+    /// The part of the cell in this column and row; 0 if none. O(log runs of the row).
+    [[nodiscard]] std::uint32_t part_at(std::uint32_t column, std::size_t row) const;
 };
 
 /// Union-find of labels from 1 on. A label's parent is itself or smaller, so that the top of a set
@@ -68,28 +92,55 @@ private:
     std::vector<std::uint32_t> parents_{0};
 };
 
-/// The parts of the cells for whose offset `is_in(offset)` holds; neighbours are in one part when
-/// `is_same(offset, offset)`. Two passes over rows. O(cells).
-template <typename T, typename IsIn, typename IsSame>
-[[nodiscard]] ConnectedParts connected_parts(const Raster<T>& raster, const IsIn& is_in,
-                                             const IsSame& is_same) {
-    ConnectedParts parts{{raster.origin, raster.width, raster.height}, 0};
+/// Runs of cells of the same key, of which the parts are still to be found.
+struct KeyedRuns {
+    ConnectedParts parts;
+    std::vector<std::uint64_t> keys;
+};
+
+/// Joins runs of the same key in rows that follow each other. O(runs).
+[[nodiscard]] ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity);
+
+/// The parts of the cells for whose offset `key_of(offset)` is not 0; neighbours with the same key
+/// are in one part. O(cells).
+template <typename T, typename KeyOf>
+[[nodiscard]] ConnectedParts connected_parts(const Raster<T>& raster, const KeyOf& key_of,
+                                             Connectivity connectivity = Connectivity::four,
+                                             const Executor& executor = {}) {
+    constexpr std::size_t kRowsPerChunk = 32;
     const auto width = static_cast<std::size_t>(raster.width);
-    std::vector<std::uint32_t>& labels = parts.labels.values;
-    LabelSets sets;
-    for (std::size_t row = 0; row < labels.size(); row += width) {
-        for (std::size_t i = row; i < row + width; ++i) {
-            if (!is_in(i)) continue;
-            const std::uint32_t left = i > row && is_same(i - 1, i) ? labels[i - 1] : 0;
-            const std::uint32_t below = row > 0 && is_same(i - width, i) ? labels[i - width] : 0;
-            labels[i] = left != 0 ? left : below != 0 ? below : sets.add();
-            if (below != 0 && below != labels[i]) sets.join(below, labels[i]);
+    const auto height = static_cast<std::size_t>(raster.height);
+    std::vector<KeyedRuns> chunks((height + kRowsPerChunk - 1) / kRowsPerChunk);
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first_row, std::size_t last_row) {
+        KeyedRuns& found = chunks[first_row / kRowsPerChunk];
+        for (std::size_t y = first_row; y < last_row; ++y) {
+            const std::size_t row = y * width;
+            for (std::size_t x = 0; x < width;) {
+                const std::size_t begin = x;
+                const auto key = key_of(row + begin);
+                while (++x < width && key_of(row + x) == key) {
+                }
+                if (key == 0) continue;
+                found.parts.runs.push_back(
+                    {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(x), 0});
+                found.keys.push_back(static_cast<std::uint64_t>(key));
+            }
+            found.parts.row_begin.push_back(found.parts.runs.size());
         }
+    });
+    KeyedRuns all;
+    all.parts.width = raster.width;
+    for (KeyedRuns& chunk : chunks) {
+        const std::size_t before = all.parts.runs.size();
+        for (std::size_t y = 1; y < chunk.parts.row_begin.size(); ++y) {
+            all.parts.row_begin.push_back(before + chunk.parts.row_begin[y]);
+        }
+        all.parts.runs.insert(all.parts.runs.end(), chunk.parts.runs.begin(),
+                              chunk.parts.runs.end());
+        all.keys.insert(all.keys.end(), chunk.keys.begin(), chunk.keys.end());
+        chunk = {};
     }
-    const std::vector<std::uint32_t> numbers = sets.numbers();
-    parts.count = *std::max_element(numbers.begin(), numbers.end());
-    for (std::uint32_t& label : labels) label = numbers[label];
-    return parts;
+    return join_runs(std::move(all), connectivity);
 }
 
 }  // namespace quadcut

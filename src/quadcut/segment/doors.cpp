@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "quadcut/segment/contacts.hpp"
 #include "quadcut/segment/door_model.hpp"
 #include "quadcut/segment/region_graph.hpp"
 
@@ -19,32 +20,20 @@ constexpr std::size_t kOpeningsPerChunk = 16;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Where two regions touch: the cell of the region with the smaller label comes first.
-struct Contact {
-    Cell a;
-    Cell b;
-};
+using Contacts = std::map<Pair, std::vector<Contact>>;
 
-std::map<Pair, std::vector<Contact>> find_contacts(const Raster<std::uint32_t>& labels) {
-    std::map<Pair, std::vector<Contact>> contacts;
-    const auto meet = [&](Cell p, Cell q) {
-        const std::uint32_t a = labels.at(p);
-        const std::uint32_t b = labels.at(q);
-        if (a == 0 || b == 0 || a == b) return;
-        contacts[{std::min(a, b), std::max(a, b)}].push_back(a < b ? Contact{p, q} : Contact{q, p});
-    };
-    const auto width = static_cast<std::size_t>(labels.width);
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        const std::uint32_t own = labels.values[i];
-        if (own == 0) continue;
-        const bool is_right = (i + 1) % width != 0 && labels.values[i + 1] != own;
-        const bool is_above = i + width < labels.values.size() && labels.values[i + width] != own;
-        if (!is_right && !is_above) continue;
-        const Cell cell = labels.cell(i);
-        if (is_right) meet(cell, {cell.x + 1, cell.y});
-        if (is_above) meet(cell, {cell.x, cell.y + 1});
+Contacts find_contacts(const Raster<std::uint32_t>& labels, const Executor& executor) {
+    Contacts all;
+    for (Contacts& part : for_each_contact<Contacts>(
+             labels, executor, [](std::vector<Contact>& contacts, const Contact& contact) {
+                 contacts.push_back(contact);
+             })) {
+        for (auto& [pair, contacts] : part) {
+            std::vector<Contact>& joined = all[pair];
+            joined.insert(joined.end(), contacts.begin(), contacts.end());
+        }
     }
-    return contacts;
+    return all;
 }
 
 /// Splits the contacts of two regions into openings: contacts that follow each other without a gap.
@@ -149,9 +138,9 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
                              const Raster<float>& clearance_m, double resolution_m,
                              const Pose& map_from_image, double min_width_m,
                              const Executor& executor) {
-    const RegionGraph regions(labels, num_regions, clearance_m, resolution_m);
+    const RegionGraph regions(labels, num_regions, clearance_m, resolution_m, executor);
     std::vector<Found> openings;
-    for (const auto& [pair, contacts] : find_contacts(labels)) {
+    for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
         for (auto& opening : split_into_openings(contacts)) {
             openings.push_back({pair, std::move(opening), std::nullopt});
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadcut/segment/door_model.hpp"
+#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut {
 namespace {
@@ -103,7 +104,7 @@ std::map<std::uint32_t, std::uint32_t> enclosing_regions(const RegionGraph& regi
 }
 
 void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
-             std::span<const Enclosure> enclosures) {
+             std::span<const Enclosure> enclosures, const Executor& executor) {
     std::vector<std::uint32_t> now(regions.num_pieces() + std::size_t{1}, 0);
     for (std::uint32_t piece = 1; piece < now.size(); ++piece)
         now[piece] = regions.region_of(piece);
@@ -112,7 +113,7 @@ void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
         const auto found = host_of.find(region);
         if (found != host_of.end()) region = found->second;
     }
-    for (std::uint32_t& label : labels.values) label = now[label];
+    renumber(labels, now, executor);
 }
 
 }  // namespace quadcut

@@ -70,6 +70,6 @@ void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_wid
 
 /// Each piece's cells get the number of its region, or of the one that encloses it.
 void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
-             std::span<const Enclosure> enclosures = {});
+             std::span<const Enclosure> enclosures = {}, const Executor& executor = {});
 
 }  // namespace quadcut

@@ -33,8 +33,8 @@ std::vector<Cell> visited_cells(const GridMap& map, std::span<const Point> traje
 }
 
 Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
-                            double min_area_m2) {
-    const FreeComponents free = find_free_components(map.states);
+                            double min_area_m2, const Executor& executor) {
+    const FreeComponents free = find_free_components(map.states, executor);
     const double min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
     std::vector<bool> kept;
     for (const FreeComponents::Component& component : free.components) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
 
@@ -24,6 +25,6 @@ namespace quadcut {
 /// `min_area_m2` together. A component that covers more than half of the image's border is the
 /// ground outside and left out, unless the trajectory enters it, or nothing else is left. O(cells).
 [[nodiscard]] Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
-                                          double min_area_m2);
+                                          double min_area_m2, const Executor& executor = {});
 
 }  // namespace quadcut

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "quadcut/map/connected_parts.hpp"
@@ -19,24 +20,15 @@ namespace {
 Raster<std::uint8_t> cells_to_cut(const LocalWindow& window, double min_component_m2) {
     const Raster<CellState>& states = window.states;
     const ConnectedParts parts = connected_parts(
-        states, [&](std::size_t i) { return states.values[i] == CellState::free; },
-        [](std::size_t, std::size_t) { return true; });
+        states, [&](std::size_t i) { return states.values[i] == CellState::free ? 1U : 0U; });
     const double cell_m2 = window.resolution_m * window.resolution_m;
-    std::vector<bool> is_kept;
-    for (const std::size_t size : parts.num_cells()) {
-        is_kept.push_back(static_cast<double>(size) * cell_m2 >= min_component_m2);
-    }
-    is_kept.front() = false;
-    for (std::size_t i = 0; i < states.values.size(); ++i) {
-        const std::uint32_t part = parts.labels.values[i];
-        if (part != 0 && is_on_edge(states, i)) {
-            is_kept[part] = true;
-        }
+    std::vector<bool> is_kept = parts.on_edge();
+    const std::vector<std::size_t> num_cells = parts.num_cells();
+    for (std::uint32_t part = 1; part <= parts.count; ++part) {
+        if (static_cast<double>(num_cells[part]) * cell_m2 >= min_component_m2) is_kept[part] = true;
     }
     Raster<std::uint8_t> kept(states.origin, states.width, states.height);
-    for (std::size_t i = 0; i < states.values.size(); ++i) {
-        kept.values[i] = is_kept[parts.labels.values[i]] ? 1 : 0;
-    }
+    parts.paint(is_kept, kept);
     return kept;
 }
 
@@ -139,18 +131,21 @@ Parts divide(const LocalWindow& window, const RoomsCut& cut,
         const std::uint32_t room = window.rooms.values[i];
         return window.locked.count(room) != 0 ? 0 : room;
     };
-    const ConnectedParts parts = connected_parts(
-        window.rooms, [&](std::size_t i) { return owner(i) != 0; },
-        [&](std::size_t i, std::size_t j) {
-            return is_decided[i] == is_decided[j] && owner(i) == owner(j);
-        });
-    Parts result{parts.labels, parts.count, {}, {}};
+    const ConnectedParts parts = connected_parts(window.rooms, [&](std::size_t i) {
+        const std::uint64_t own = owner(i);
+        return own != 0 ? 2 * own + is_decided[i] : 0;
+    });
+    Raster<std::uint32_t> labels(window.rooms.origin, window.rooms.width, window.rooms.height);
+    std::vector<std::uint32_t> numbers(parts.count + std::size_t{1});
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    parts.paint(numbers, labels);
+    Parts result{std::move(labels), parts.count, {}, {}};
     result.is_kept.assign(parts.count + std::size_t{1}, false);
     for (std::size_t i = 0; i < is_decided.size(); ++i) {
-        if (is_decided[i] == 0) result.is_kept[parts.labels.values[i]] = true;
+        if (is_decided[i] == 0) result.is_kept[result.labels.values[i]] = true;
     }
     result.is_kept[0] = false;
-    result.earlier_room = majority_rooms(parts.labels, parts.count, window.rooms);
+    result.earlier_room = majority_rooms(result.labels, parts.count, window.rooms);
     return result;
 }
 

@@ -7,6 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "quadcut/segment/contacts.hpp"
+#include "quadcut/segment/label_tally.hpp"
+
 namespace quadcut {
 namespace {
 
@@ -20,10 +23,39 @@ std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b
     return std::minmax(a, b);
 }
 
+struct PieceExtent {
+    std::size_t num_cells = 0;
+    float peak_m = 0.0F;
+};
+
+Saddle turned(const Saddle& saddle) {
+    return {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts};
+}
+
+/// The saddles of pieces a < b within some rows, at the cell of a.
+using BorderSaddles = std::map<std::pair<std::uint32_t, std::uint32_t>, Saddle>;
+
+/// By part of the raster; a saddle may have some of its contacts in each.
+std::vector<BorderSaddles> border_saddles(const Raster<std::uint32_t>& pieces,
+                                          const Raster<float>& clearance_m,
+                                          const Executor& executor) {
+    std::vector<BorderSaddles> parts = for_each_contact<BorderSaddles>(
+        pieces, executor, [&](Saddle& saddle, const Contact& contact) {
+            const float height =
+                std::min(clearance_m.at(contact.a), clearance_m.at(contact.b));
+            if (saddle.num_contacts == 0 || height > saddle.clearance_m) {
+                saddle = {contact.a, contact.b, height, saddle.num_contacts};
+            }
+            ++saddle.num_contacts;
+        });
+    return parts;
+}
+
 }  // namespace
 
 RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                         const Raster<float>& clearance_m, double resolution_m)
+                         const Raster<float>& clearance_m, double resolution_m,
+                         const Executor& executor)
     : pieces_(pieces),
       clearance_(clearance_m),
       resolution_m_(resolution_m),
@@ -35,23 +67,26 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
       saddles_(num_pieces + 1) {
     std::iota(region_.begin(), region_.end(), 0U);
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-    const auto width = static_cast<std::size_t>(pieces.width);
-    const auto is_border = [&](std::uint32_t piece, std::size_t other) {
-        return pieces.values[other] != piece && pieces.values[other] != 0;
-    };
-    Cell cell = pieces.origin;
-    for (std::size_t row = 0; row < pieces.values.size(); row += width, ++cell.y) {
-        cell.x = pieces.origin.x;
-        for (std::size_t i = row; i < row + width; ++i, ++cell.x) {
-            const std::uint32_t piece = pieces.values[i];
-            if (piece == 0) continue;
-            Extent& extent = extent_[piece];
-            extent.area_m2 += resolution_m * resolution_m;
-            extent.peak_m = std::max(extent.peak_m, static_cast<double>(clearance_m.values[i]));
-            if (i + 1 < row + width && is_border(piece, i + 1)) meet(cell, {cell.x + 1, cell.y});
-            if (row + width < pieces.values.size() && is_border(piece, i + width)) {
-                meet(cell, {cell.x, cell.y + 1});
-            }
+    const auto extents = tally_by_label<PieceExtent>(
+        pieces, executor,
+        [&](PieceExtent& extent, std::size_t, std::size_t, std::size_t i) {
+            ++extent.num_cells;
+            extent.peak_m = std::max(extent.peak_m, clearance_m.values[i]);
+        },
+        [](PieceExtent& extent, const PieceExtent& other) {
+            extent.num_cells += other.num_cells;
+            extent.peak_m = std::max(extent.peak_m, other.peak_m);
+        });
+    for (std::uint32_t piece = 1; piece < extents.size(); ++piece) {
+        extent_[piece].area_m2 =
+            static_cast<double>(extents[piece].num_cells) * resolution_m * resolution_m;
+        extent_[piece].peak_m = static_cast<double>(extents[piece].peak_m);
+    }
+    for (const BorderSaddles& part : border_saddles(pieces, clearance_m, executor)) {
+        for (const auto& [pair, saddle] : part) {
+            const auto [a, b] = pair;
+            widen(saddles_[a], b, saddle);
+            widen(saddles_[b], a, turned(saddle));
         }
     }
 }
@@ -84,7 +119,7 @@ void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
         saddles_[other].erase(b);
         auto measured = measured_.extract(pair_of(b, other));
         if (other == a) continue;
-        widen(saddles_[other], a, {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts});
+        widen(saddles_[other], a, turned(saddle));
         if (!widen(saddles_[a], other, saddle)) continue;
         measured_.erase(pair_of(a, other));
         // Seen from the other side an opening may have other jambs.
@@ -182,14 +217,6 @@ bool RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t 
     if (is_wider) at->second = saddle;
     at->second.num_contacts = num_contacts;
     return is_wider;
-}
-
-void RegionGraph::meet(Cell cell_a, Cell cell_b) {
-    const std::uint32_t a = pieces_.at(cell_a);
-    const std::uint32_t b = pieces_.at(cell_b);
-    const float height = std::min(clearance_.at(cell_a), clearance_.at(cell_b));
-    widen(saddles_[a], b, {cell_a, cell_b, height, 1});
-    widen(saddles_[b], a, {cell_b, cell_a, height, 1});
 }
 
 }  // namespace quadcut

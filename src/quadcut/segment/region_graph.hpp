@@ -31,7 +31,8 @@ class RegionGraph {
 public:
     /// One region a piece (labels 1 .. num_pieces). The rasters must outlive the graph. O(cells).
     RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const Raster<float>& clearance_m, double resolution_m);
+                const Raster<float>& clearance_m, double resolution_m,
+                const Executor& executor = {});
 
     /// The region that a piece has become part of; a region is named by one of its pieces.
     [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
@@ -86,7 +87,6 @@ private:
                       const Saddle& saddle);
     void forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined);
     void complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const;
-    void meet(Cell cell_a, Cell cell_b);
     void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
 
     const Raster<std::uint32_t>& pieces_;

@@ -10,6 +10,7 @@
 
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut {
 namespace {
@@ -39,30 +40,46 @@ struct Part {
 
 /// Every part of a region but its largest.
 std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels,
-                                 const std::vector<bool>& goes_on) {
+                                 const std::vector<bool>& goes_on, const Executor& executor) {
     const ConnectedParts parts = connected_parts(
-        labels, [&](std::size_t i) { return labels.values[i] != 0; },
-        [&](std::size_t i, std::size_t j) { return labels.values[i] == labels.values[j]; });
+        labels, [&](std::size_t i) { return labels.values[i]; }, Connectivity::four, executor);
     const std::vector<std::size_t> num_cells = parts.num_cells();
     std::vector<bool> is_detached(num_cells.size(), false);
-    std::vector<bool> seen(num_cells.size(), false);
-    std::map<std::uint32_t, std::uint32_t> largest;
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        const std::uint32_t part = parts.labels.values[i];
-        if (part == 0 || seen[part]) continue;
-        seen[part] = true;
-        if (is_set(goes_on, labels.values[i])) continue;
-        const auto [best, is_first] = largest.try_emplace(labels.values[i], part);
-        if (is_first) continue;
-        const bool is_larger = num_cells[part] > num_cells[best->second];
-        is_detached[is_larger ? best->second : part] = true;
-        if (is_larger) best->second = part;
-    }
+    std::vector<std::uint32_t> largest;
+    std::uint32_t num_seen = 0;
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        // Parts are numbered in the order in which they are come by.
+        if (run.part <= num_seen) return;
+        num_seen = run.part;
+        const std::uint32_t label = labels.values[first];
+        if (is_set(goes_on, label)) return;
+        if (label >= largest.size()) largest.resize(label + std::size_t{1}, 0);
+        std::uint32_t& best = largest[label];
+        const bool is_larger = best == 0 || num_cells[run.part] > num_cells[best];
+        if (best != 0) is_detached[is_larger ? best : run.part] = true;
+        if (is_larger) best = run.part;
+    });
     std::vector<Part> detached;
     for (auto& cells : parts.cells_of(is_detached)) {
         if (!cells.empty()) detached.push_back({std::move(cells)});
     }
     return detached;
+}
+
+/// The label 0 in place of those that are to be dropped.
+template <typename IsDropped>
+void drop(Raster<std::uint32_t>& labels, std::size_t num_labels, const Executor& executor,
+          const IsDropped& is_dropped) {
+    std::vector<std::uint32_t> now(num_labels, 0);
+    bool is_any = false;
+    for (std::uint32_t label = 1; label < num_labels; ++label) {
+        if (is_dropped(label)) {
+            is_any = true;
+        } else {
+            now[label] = label;
+        }
+    }
+    if (is_any) renumber(labels, now, executor);
 }
 
 /// Walks from the pocket through what is neither free nor labelled, up to `max_steps` cells, to
@@ -105,8 +122,9 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
 
 }  // namespace
 
-void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on) {
-    std::vector<Part> waiting = detached_parts(labels, goes_on);
+void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on,
+                     const Executor& executor) {
+    std::vector<Part> waiting = detached_parts(labels, goes_on, executor);
     for (const Part& part : waiting) {
         for (const std::size_t cell : part.cells) labels.values[cell] = 0;
     }
@@ -134,52 +152,53 @@ void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goe
 }
 
 void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
-                     double min_width_m, const std::vector<bool>& goes_on) {
-    std::vector<float> widest;
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        const std::uint32_t label = labels.values[i];
-        if (label >= widest.size()) widest.resize(label + std::size_t{1}, 0.0F);
-        widest[label] = std::max(widest[label], 2.0F * clearance_m.values[i]);
-    }
-    for (std::uint32_t& label : labels.values) {
-        if (static_cast<double>(widest[label]) < min_width_m && !is_set(goes_on, label)) label = 0;
-    }
+                     double min_width_m, const std::vector<bool>& goes_on,
+                     const Executor& executor) {
+    const auto widest = tally_by_label<float>(
+        labels, executor,
+        [&](float& width, std::size_t, std::size_t, std::size_t i) {
+            width = std::max(width, 2.0F * clearance_m.values[i]);
+        },
+        [](float& width, float other) { width = std::max(width, other); });
+    drop(labels, widest.size(), executor, [&](std::uint32_t label) {
+        return static_cast<double>(widest[label]) < min_width_m && !is_set(goes_on, label);
+    });
 }
 
-void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free) {
-    std::vector<bool> has_floor;
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        const std::uint32_t label = labels.values[i];
-        if (label >= has_floor.size()) has_floor.resize(label + std::size_t{1}, false);
-        if (free.values[i] != 0) has_floor[label] = true;
-    }
-    for (std::uint32_t& label : labels.values) {
-        if (!has_floor[label]) label = 0;
-    }
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                        const Executor& executor) {
+    const auto floor = tally_by_label<std::uint8_t>(
+        labels, executor,
+        [&](std::uint8_t& seen, std::size_t, std::size_t, std::size_t i) { seen |= free.values[i]; },
+        [](std::uint8_t& seen, std::uint8_t other) { seen |= other; });
+    drop(labels, floor.size(), executor, [&](std::uint32_t label) { return floor[label] == 0; });
 }
 
 Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                     double resolution_m, double max_pocket_m2) {
+                     double resolution_m, double max_pocket_m2, const Executor& executor) {
     const double cell_m2 = resolution_m * resolution_m;
     const ConnectedParts parts = connected_parts(
-        labels, [&](std::size_t i) { return free.values[i] != 0; },
-        [&](std::size_t i, std::size_t j) {
-            return (labels.values[i] != 0) == (labels.values[j] != 0);
-        });
-    std::vector<bool> is_pocket;
-    for (const std::size_t size : parts.num_cells()) {
-        is_pocket.push_back(static_cast<double>(size) * cell_m2 <= kTimesLarger * max_pocket_m2);
-    }
+        labels,
+        [&](std::size_t i) {
+            return free.values[i] == 0 ? 0U : labels.values[i] != 0 ? 2U : 1U;
+        },
+        Connectivity::four, executor);
+    // What leaves the raster is part of something larger.
+    std::vector<bool> is_pocket = parts.on_edge();
+    is_pocket.flip();
     is_pocket.front() = false;
+    const std::vector<std::size_t> num_cells = parts.num_cells();
+    for (std::uint32_t part = 1; part <= parts.count; ++part) {
+        if (static_cast<double>(num_cells[part]) * cell_m2 > kTimesLarger * max_pocket_m2) {
+            is_pocket[part] = false;
+        }
+    }
     Pockets pockets;
     pockets.max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
     pockets.outline_cells =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
     for (auto& cells : parts.cells_of(is_pocket)) {
-        // What leaves the raster is part of something larger.
-        const bool is_whole = std::none_of(
-            cells.begin(), cells.end(), [&](std::size_t cell) { return is_on_edge(labels, cell); });
-        if (!cells.empty() && is_whole) pockets.cells.push_back(std::move(cells));
+        if (!cells.empty()) pockets.cells.push_back(std::move(cells));
     }
     return pockets;
 }
@@ -201,12 +220,11 @@ void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_
 }  // namespace
 
 Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                       const Pockets& pockets) {
-    std::vector<std::size_t> num_cells;
-    for (const std::uint32_t label : labels.values) {
-        if (label >= num_cells.size()) num_cells.resize(label + std::size_t{1}, 0);
-        ++num_cells[label];
-    }
+                       const Pockets& pockets, const Executor& executor) {
+    const auto num_cells = tally_by_label<std::size_t>(
+        labels, executor,
+        [](std::size_t& count, std::size_t, std::size_t, std::size_t) { ++count; },
+        [](std::size_t& count, std::size_t other) { count += other; });
     Adoption adoption;
     for (const std::vector<std::size_t>& pocket : pockets.cells) {
         const std::uint32_t label = labels.values[pocket.front()];

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -14,12 +15,14 @@ namespace quadcut {
 /// label, every other part takes the label that it shares the longest border with. Parts that touch
 /// no other label are removed. Regions that go on beyond the raster (by label) are connected there.
 /// O(cells).
-void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on = {});
+void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on = {},
+                     const Executor& executor = {});
 
 /// Removes regions that are nowhere `min_width_m` wide: no robot fits. Not those that go on beyond
 /// the raster (by label). O(cells).
 void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
-                     double min_width_m, const std::vector<bool>& goes_on = {});
+                     double min_width_m, const std::vector<bool>& goes_on = {},
+                     const Executor& executor = {});
 
 /// Connected free space, with or without a label, that may be the inside of furniture.
 struct Pockets {
@@ -34,7 +37,7 @@ struct Pockets {
 /// map. O(cells).
 [[nodiscard]] Pockets find_pockets(const Raster<std::uint32_t>& labels,
                                    const Raster<std::uint8_t>& free, double resolution_m,
-                                   double max_pocket_m2);
+                                   double max_pocket_m2, const Executor& executor = {});
 
 /// A larger pocket, one region, with several regions around it: when these are one room it is no
 /// room of its own.
@@ -54,9 +57,10 @@ struct Adoption {
 /// is behind the rest. The outline between goes to that room, too, so that it stays connected; that
 /// of an enclosure goes to the pocket. O(cells).
 Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                       const Pockets& pockets);
+                       const Pockets& pockets, const Executor& executor = {});
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
-void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free);
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+                        const Executor& executor = {});
 
 }  // namespace quadcut

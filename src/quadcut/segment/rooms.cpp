@@ -41,22 +41,23 @@ Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& c
     Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
     Raster<std::uint32_t> labels = cut.pieces;
-    relabel(regions, labels);
+    relabel(regions, labels, {}, executor);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
-    connect_regions(labels, goes_on);
-    drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on);
+    connect_regions(labels, goes_on, executor);
+    drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
     const Adoption adoption = adopt_pockets(
-        labels, floor.free, find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2));
-    drop_without_floor(labels, floor.free);
-    if (adoption.is_any) connect_regions(labels, goes_on);
+        labels, floor.free,
+        find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor), executor);
+    drop_without_floor(labels, floor.free, executor);
+    if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
     }
     measure_ahead();
     Fuser(regions, rule).fuse_below(fuse_threshold(options.granularity));
-    relabel(regions, labels, adoption.enclosures);
+    relabel(regions, labels, adoption.enclosures, executor);
     return labels;
 }
 
@@ -75,7 +76,8 @@ RoomsCut cut_into_rooms(const FloorToCut& floor, const SegmentOptions& options, 
     cut.pieces = std::move(pieces.labels);
     cut.num_pieces = pieces.count;
     clock.begin("graph");
-    RegionGraph regions(cut.pieces, cut.num_pieces, cut.clearance_m, floor.resolution_m);
+    RegionGraph regions(cut.pieces, cut.num_pieces, cut.clearance_m, floor.resolution_m,
+                        executor);
     if (options.rooms.pieces == PieceSource::basins) {
         report.num_leaves = cut.num_pieces;
         report.num_edges = regions.num_saddles();

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/map/connected_parts.hpp"
+
+#include <numeric>
+
+namespace quadcut {
+
+std::vector<std::size_t> ConnectedParts::num_cells() const {
+    std::vector<std::size_t> result(count + std::size_t{1}, 0);
+    for (const CellRun& run : runs) result[run.part] += run.end - run.begin;
+    return result;
+}
+
+std::vector<std::vector<std::size_t>> ConnectedParts::cells_of(
+    const std::vector<bool>& wanted) const {
+    std::vector<std::vector<std::size_t>> result(count + std::size_t{1});
+    for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!wanted[run.part]) return;
+        std::vector<std::size_t>& cells = result[run.part];
+        const std::size_t before = cells.size();
+        cells.resize(before + run.end - run.begin);
+        std::iota(cells.begin() + static_cast<std::ptrdiff_t>(before), cells.end(), first);
+    });
+    return result;
+}
+
+std::vector<bool> ConnectedParts::on_edge() const {
+    std::vector<bool> result(count + std::size_t{1}, false);
+    const std::size_t num_rows = row_begin.size() - 1;
+    for (std::size_t y = 0; y < num_rows; ++y) {
+        for (std::size_t i = row_begin[y]; i < row_begin[y + 1]; ++i) {
+            if (y == 0 || y + 1 == num_rows || runs[i].begin == 0 ||
+                runs[i].end == static_cast<std::uint32_t>(width)) {
+                result[runs[i].part] = true;
+            }
+        }
+    }
+    return result;
+}
+
+std::uint32_t ConnectedParts::part_at(std::uint32_t column, std::size_t row) const {
+    const auto end = runs.begin() + static_cast<std::ptrdiff_t>(row_begin[row + 1]);
+    const auto found = std::upper_bound(
+        runs.begin() + static_cast<std::ptrdiff_t>(row_begin[row]), end, column,
+        [](std::uint32_t x, const CellRun& run) { return x < run.end; });
+    return found != end && found->begin <= column ? found->part : 0;
+}
+
+ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity) {
+    ConnectedParts parts = std::move(found.parts);
+    const std::uint32_t corner = connectivity == Connectivity::eight ? 1 : 0;
+    LabelSets sets;
+    for (std::size_t y = 0; y + 1 < parts.row_begin.size(); ++y) {
+        std::size_t below = y > 0 ? parts.row_begin[y - 1] : 0;
+        const std::size_t below_end = y > 0 ? parts.row_begin[y] : 0;
+        for (std::size_t i = parts.row_begin[y]; i < parts.row_begin[y + 1]; ++i) {
+            CellRun& run = parts.runs[i];
+            while (below < below_end && parts.runs[below].end + corner <= run.begin) ++below;
+            // The last one that touches this run may touch the next one, too.
+            for (std::size_t j = below;
+                 j < below_end && parts.runs[j].begin < run.end + corner; ++j) {
+                if (found.keys[j] != found.keys[i]) continue;
+                if (run.part == 0) {
+                    run.part = parts.runs[j].part;
+                } else {
+                    sets.join(run.part, parts.runs[j].part);
+                }
+            }
+            if (run.part == 0) run.part = sets.add();
+        }
+    }
+    const std::vector<std::uint32_t> numbers = sets.numbers();
+    parts.count = *std::max_element(numbers.begin(), numbers.end());
+    for (CellRun& run : parts.runs) run.part = numbers[run.part];
+    return parts;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/raster.hpp"
+
+namespace quadcut {
+
+/// Rows of a raster in a few parts for the threads; the parts do not depend on their number.
+[[nodiscard]] inline std::size_t rows_per_part(std::size_t height) {
+    constexpr std::size_t kMaxParts = 16;
+    return std::max<std::size_t>(16, (height + kMaxParts - 1) / kMaxParts);
+}
+
+/// One tally for each label from 0 on, of all its cells: `add(tally, x, y, offset)` for each cell
+/// whose label is not 0, and `merge(into, from)` for the tallies of parts of the raster, in their
+/// order. O(cells).
+template <typename Tally, typename Label, typename Add, typename Merge>
+[[nodiscard]] std::vector<Tally> tally_by_label(const Raster<Label>& labels,
+                                                const Executor& executor, const Add& add,
+                                                const Merge& merge) {
+    const auto width = static_cast<std::size_t>(labels.width);
+    const auto height = static_cast<std::size_t>(labels.height);
+    const std::size_t num_rows = rows_per_part(height);
+    std::vector<std::vector<Tally>> parts((height + num_rows - 1) / num_rows);
+    parallel_for(executor, height, num_rows, [&](std::size_t first, std::size_t last) {
+        std::vector<Tally> tallies;
+        for (std::size_t y = first; y < last; ++y) {
+            for (std::size_t x = 0, i = y * width; x < width; ++x, ++i) {
+                const std::size_t label = labels.values[i];
+                if (label == 0) continue;
+                if (label >= tallies.size()) tallies.resize(label + 1);
+                add(tallies[label], x, y, i);
+            }
+        }
+        parts[first / num_rows] = std::move(tallies);
+    });
+    std::vector<Tally> all(1);
+    for (const std::vector<Tally>& part : parts) {
+        if (part.size() > all.size()) all.resize(part.size());
+        for (std::size_t label = 1; label < part.size(); ++label) merge(all[label], part[label]);
+    }
+    return all;
+}
+
+/// Puts `now[label]` in place of each label. O(cells).
+template <typename Label>
+void renumber(Raster<Label>& labels, const std::vector<std::uint32_t>& now,
+              const Executor& executor) {
+    parallel_for(executor, labels.values.size(), std::size_t{1} << 16U,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i) {
+                         labels.values[i] = static_cast<Label>(now[labels.values[i]]);
+                     }
+                 });
+}
+
+}  // namespace quadcut
