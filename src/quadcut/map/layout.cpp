@@ -2,8 +2,12 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/layout.hpp"
 
+#include <vector>
+
 namespace quadcut {
 namespace {
+
+constexpr std::size_t kMaxParts = 16;
 
 /// About the mean.
 double spread(const AxisMoments& m) { return m.s2 / m.n - m.s1 * m.s1 / (m.n * m.n); }
@@ -12,12 +16,36 @@ double skew(const AxisMoments& m) {
     return m.s3 / m.n - 3.0 * mean * m.s2 / m.n + 2.0 * mean * mean * mean;
 }
 
-void add(AxisMoments& moments, double at) {
-    moments.n += 1.0;
-    moments.s1 += at;
-    moments.s2 += at * at;
-    moments.s3 += at * at * at;
-}
+/// Of a coordinate that counts[i] cells have at low + i, about the middle between first and last.
+struct AxisCounts {
+    std::vector<std::uint32_t> counts;
+    std::int32_t low = 0;
+
+    [[nodiscard]] std::int32_t first() const {
+        const auto found = std::find_if(counts.begin(), counts.end(), is_positive);
+        return low + static_cast<std::int32_t>(found - counts.begin());
+    }
+    [[nodiscard]] std::int32_t last() const {
+        const auto found = std::find_if(counts.rbegin(), counts.rend(), is_positive);
+        return low + static_cast<std::int32_t>(counts.rend() - found) - 1;
+    }
+    [[nodiscard]] AxisMoments moments() const {
+        AxisMoments sums;
+        const double middle = 0.5 * (first() + last());
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const double at = low + static_cast<std::int32_t>(i) - middle;
+            const auto count = static_cast<double>(counts[i]);
+            sums.n += count;
+            sums.s1 += count * at;
+            sums.s2 += count * at * at;
+            sums.s3 += count * at * at * at;
+        }
+        return sums;
+    }
+
+private:
+    static bool is_positive(std::uint32_t count) { return count > 0; }
+};
 
 }  // namespace
 
@@ -31,23 +59,33 @@ Layout standard_orientation(const AxisMoments& x, const AxisMoments& y) {
     return layout;
 }
 
-Layout standard_layout(const Raster<std::uint8_t>& mask) {
-    Box box;
-    for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        if (mask.values[i] != 0) box.include({mask.cell(i), mask.cell(i)});
+Layout standard_layout(const Raster<std::uint8_t>& mask, const Executor& executor) {
+    const auto width = static_cast<std::size_t>(mask.width);
+    const auto height = static_cast<std::size_t>(mask.height);
+    AxisCounts x{std::vector<std::uint32_t>(width, 0), mask.origin.x};
+    AxisCounts y{std::vector<std::uint32_t>(height, 0), mask.origin.y};
+    const std::size_t num_rows = std::max<std::size_t>(64, height / kMaxParts + 1);
+    std::vector<std::vector<std::uint32_t>> columns((height + num_rows - 1) / num_rows);
+    parallel_for(executor, height, num_rows, [&](std::size_t first, std::size_t last) {
+        std::vector<std::uint32_t>& own = columns[first / num_rows];
+        own.resize(width, 0);
+        for (std::size_t row = first; row < last; ++row) {
+            const std::uint8_t* const cells = &mask.values[row * width];
+            std::uint32_t count = 0;
+            for (std::size_t i = 0; i < width; ++i) {
+                const std::uint32_t is_in = cells[i] != 0 ? 1 : 0;
+                own[i] += is_in;
+                count += is_in;
+            }
+            y.counts[row] = count;
+        }
+    });
+    for (const auto& own : columns) {
+        for (std::size_t i = 0; i < width; ++i) x.counts[i] += own[i];
     }
-    if (box.is_empty()) return {};
-    // About the middle of the box, where the sums are exact.
-    AxisMoments x;
-    AxisMoments y;
-    for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        if (mask.values[i] == 0) continue;
-        const Cell cell = mask.cell(i);
-        add(x, cell.x - 0.5 * (box.low.x + box.high.x));
-        add(y, cell.y - 0.5 * (box.low.y + box.high.y));
-    }
-    Layout layout = standard_orientation(x, y);
-    layout.box = {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}};
+    if (x.first() > x.last()) return {};
+    Layout layout = standard_orientation(x.moments(), y.moments());
+    layout.box = {{x.first() - 1, y.first() - 1}, {x.last() + 1, y.last() + 1}};
     return layout;
 }
 

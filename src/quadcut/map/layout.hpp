@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -45,26 +48,70 @@ struct AxisMoments {
 
 /// The standard layout of what is not 0: its box with a margin of one cell, turned by
 /// standard_orientation(). An empty mask has an empty box. O(cells).
-[[nodiscard]] Layout standard_layout(const Raster<std::uint8_t>& mask);
+[[nodiscard]] Layout standard_layout(const Raster<std::uint8_t>& mask,
+                                     const Executor& executor = {});
+
+/// Calls `visit(offset laid out, offset in the raster)` for the cells of a layout that lie in a
+/// raster, from all threads; in blocks, so that turning reads and writes memory in short rows.
+template <typename T, typename Visitor>
+void for_each_laid_out(const Raster<T>& raster, const Layout& layout, const Executor& executor,
+                       const Visitor& visit) {
+    constexpr std::int32_t kBlock = 64;
+    const std::int32_t width = layout.width();
+    const std::int32_t height = layout.height();
+    if (width <= 0 || height <= 0) return;
+    parallel_for(
+        executor, static_cast<std::size_t>(height), kBlock,
+        [&](std::size_t first, std::size_t last) {
+            const auto low = static_cast<std::int32_t>(first);
+            const auto high = static_cast<std::int32_t>(last);
+            const std::int32_t columns = layout.is_transposed ? kBlock : width;
+            for (std::int32_t begin = 0; begin < width; begin += columns) {
+                const std::int32_t end = std::min(width, begin + columns);
+                for (std::int32_t y = low; y < high; ++y) {
+                    const Cell from = layout.source({begin, y});
+                    const Cell next = layout.source({begin + 1, y});
+                    const Cell step{next.x - from.x, next.y - from.y};
+                    // The columns whose source lies in the raster.
+                    std::int32_t x = begin;
+                    std::int32_t stop = end;
+                    const auto source = [&](std::int32_t column) {
+                        return Cell{from.x + (column - begin) * step.x,
+                                    from.y + (column - begin) * step.y};
+                    };
+                    while (x < stop && !raster.contains(source(x))) ++x;
+                    while (x < stop && !raster.contains(source(stop - 1))) --stop;
+                    if (x >= stop) continue;
+                    const auto stride = static_cast<std::ptrdiff_t>(step.x) +
+                                        static_cast<std::ptrdiff_t>(step.y) * raster.width;
+                    auto there = static_cast<std::ptrdiff_t>(raster.offset(source(x)));
+                    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+                    for (; x < stop; ++x, there += stride) {
+                        visit(row + static_cast<std::size_t>(x), static_cast<std::size_t>(there));
+                    }
+                }
+            }
+        });
+}
 
 /// The raster in the layout, from cell (0, 0) on; `outside` where the box reaches beyond. O(box).
 template <typename T>
-[[nodiscard]] Raster<T> laid_out(const Raster<T>& raster, const Layout& layout, T outside) {
+[[nodiscard]] Raster<T> laid_out(const Raster<T>& raster, const Layout& layout, T outside,
+                                 const Executor& executor = {}) {
     Raster<T> out({0, 0}, layout.width(), layout.height(), outside);
-    for (std::size_t i = 0; i < out.values.size(); ++i) {
-        const Cell from = layout.source(out.cell(i));
-        if (raster.contains(from)) out.values[i] = raster.at(from);
-    }
+    for_each_laid_out(raster, layout, executor, [&](std::size_t to, std::size_t from) {
+        out.values[to] = raster.values[from];
+    });
     return out;
 }
 
 /// The reverse: what was laid out is put back into `raster`, which keeps its cells outside the box.
 template <typename T>
-void put_back(const Raster<T>& laid_out, const Layout& layout, Raster<T>& raster) {
-    for (std::size_t i = 0; i < laid_out.values.size(); ++i) {
-        const Cell to = layout.source(laid_out.cell(i));
-        if (raster.contains(to)) raster.at(to) = laid_out.values[i];
-    }
+void put_back(const Raster<T>& laid_out, const Layout& layout, Raster<T>& raster,
+              const Executor& executor = {}) {
+    for_each_laid_out(raster, layout, executor, [&](std::size_t from, std::size_t to) {
+        raster.values[to] = laid_out.values[from];
+    });
 }
 
 }  // namespace quadcut

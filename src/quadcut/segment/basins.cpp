@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace quadcut {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kSmoothingM = 0.05;
 constexpr std::size_t kRowsPerChunk = 64;
+constexpr std::size_t kCellsPerChunk = std::size_t{1} << 16U;
 
 std::vector<float> gaussian_kernel(double sigma_cells) {
     const int radius = static_cast<int>(std::ceil(3.0 * sigma_cells));
@@ -60,25 +62,104 @@ Raster<float> smooth(const Raster<float>& in, double sigma_cells, const Executor
     return result;
 }
 
-/// Offsets of the positive cells by descending height; equal heights (to 1/64 of a cell) in order
-/// of offset. Counting sort.
-std::vector<std::uint32_t> cells_downhill(const Raster<float>& clearance,
-                                          const Raster<float>& height, double resolution_m) {
+/// Heights in steps of 1/64 of a cell; -1 where there is no clearance.
+Raster<std::int32_t> levels_of(const Raster<float>& clearance, const Raster<float>& height,
+                               double resolution_m, const Executor& executor) {
     const auto scale = static_cast<float>(64.0 / resolution_m);
-    const float highest = *std::max_element(height.values.begin(), height.values.end());
-    std::vector<std::size_t> begin(static_cast<std::size_t>(highest * scale) + 2, 0);
-    const auto bucket = [&](std::size_t i) {
-        return begin.size() - 2 - static_cast<std::size_t>(height.values[i] * scale);
-    };
-    for (std::size_t i = 0; i < height.values.size(); ++i) {
-        if (clearance.values[i] > 0.0F) ++begin[bucket(i) + 1];
+    Raster<std::int32_t> level(height.origin, height.width, height.height);
+    parallel_for(executor, level.values.size(), kCellsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i) {
+                         const auto steps = static_cast<std::int32_t>(height.values[i] * scale);
+                         level.values[i] = clearance.values[i] > 0.0F ? steps : -1;
+                     }
+                 });
+    return level;
+}
+
+/// A step to a neighbour. Of cells of one level the one with the smaller offset is the higher.
+struct Step {
+    std::int32_t dx, dy;
+    float inverse_length;
+    [[nodiscard]] bool leads_back() const { return dy < 0 || (dy == 0 && dx < 0); }
+};
+constexpr float kDiagonal = 0.70710678F;
+constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F},
+                                      {-1, 0, 1.0F},
+                                      {0, 1, 1.0F},
+                                      {0, -1, 1.0F},
+                                      {1, 1, kDiagonal},
+                                      {-1, 1, kDiagonal},
+                                      {1, -1, kDiagonal},
+                                      {-1, -1, kDiagonal}}};
+
+/// For the cells of one row, the offset of the neighbour to which it goes up most steeply, or of
+/// the cell itself where all are lower.
+class RowAscent {
+public:
+    RowAscent(const Raster<float>& height, const Raster<std::int32_t>& level)
+        : height_(height),
+          level_(level),
+          width_(static_cast<std::size_t>(height.width)),
+          steepest_(width_),
+          ahead_(width_) {}
+
+    void find(std::size_t y, std::uint32_t* uphill) {
+        std::fill(steepest_.begin(), steepest_.end(), -1e30F);
+        std::fill(ahead_.begin(), ahead_.end(), 0);
+        for (const Step& step : kSteps) {
+            if ((step.dy < 0 && y == 0) ||
+                (step.dy > 0 && y + 1 == static_cast<std::size_t>(height_.height))) {
+                continue;
+            }
+            look(y, step);
+        }
+        const std::size_t row = y * width_;
+        for (std::size_t x = 0; x < width_; ++x) {
+            uphill[x] = static_cast<std::uint32_t>(static_cast<std::int64_t>(row + x) + ahead_[x]);
+        }
     }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::uint32_t> order(begin.back());
-    for (std::size_t i = 0; i < height.values.size(); ++i) {
-        if (clearance.values[i] > 0.0F) order[begin[bucket(i)]++] = static_cast<std::uint32_t>(i);
+
+private:
+    void look(std::size_t y, const Step& step) {
+        const std::int32_t ahead = step.dy * height_.width + step.dx;
+        const std::size_t begin = step.dx < 0 ? 1 : 0;
+        const std::size_t end = step.dx > 0 ? width_ - 1 : width_;
+        const auto row = static_cast<std::int64_t>(y * width_);
+        const float* const own = height_.values.data() + row;
+        const float* const next = own + ahead;
+        const std::int32_t* const own_level = level_.values.data() + row;
+        const std::int32_t* const next_level = own_level + ahead;
+        const std::int32_t more = step.leads_back() ? 0 : 1;
+        for (std::size_t x = begin; x < end; ++x) {
+            const float slope = (next[x] - own[x]) * step.inverse_length;
+            const bool is_higher = next_level[x] >= own_level[x] + more;
+            const bool is_steeper = is_higher & (slope > steepest_[x]);
+            steepest_[x] = is_steeper ? slope : steepest_[x];
+            ahead_[x] = is_steeper ? ahead : ahead_[x];
+        }
     }
-    return order;
+
+    const Raster<float>& height_;
+    const Raster<std::int32_t>& level_;
+    std::size_t width_;
+    std::vector<float> steepest_;
+    std::vector<std::int32_t> ahead_;
+};
+
+/// The peaks, where nothing goes up, numbered from the highest down; their labels.
+std::uint32_t number_peaks(const std::vector<std::uint32_t>& uphill,
+                           const Raster<std::int32_t>& level, Raster<std::uint32_t>& labels) {
+    std::vector<std::uint32_t> peaks;
+    for (std::uint32_t i = 0; i < uphill.size(); ++i) {
+        if (uphill[i] == i && level.values[i] >= 0) peaks.push_back(i);
+    }
+    std::stable_sort(peaks.begin(), peaks.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return level.values[a] > level.values[b];
+    });
+    std::uint32_t count = 0;
+    for (const std::uint32_t peak : peaks) labels.values[peak] = ++count;
+    return count;
 }
 
 }  // namespace
@@ -89,40 +170,35 @@ Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
     basins.labels =
         Raster<std::uint32_t>(clearance_m.origin, clearance_m.width, clearance_m.height);
     if (clearance_m.values.empty()) return basins;
-    const Raster<float> height = smooth(clearance_m, kSmoothingM / resolution_m, executor);
-    struct Step {
-        std::int32_t dx, dy;
-        float inverse_length;
-    };
-    constexpr float kDiagonal = 0.70710678F;
-    constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F},
-                                          {-1, 0, 1.0F},
-                                          {0, 1, 1.0F},
-                                          {0, -1, 1.0F},
-                                          {1, 1, kDiagonal},
-                                          {-1, 1, kDiagonal},
-                                          {1, -1, kDiagonal},
-                                          {-1, -1, kDiagonal}}};
-    for (const std::uint32_t i : cells_downhill(clearance_m, height, resolution_m)) {
-        const auto x = static_cast<std::int32_t>(i % static_cast<std::uint32_t>(height.width));
-        const auto y = static_cast<std::int32_t>(i / static_cast<std::uint32_t>(height.width));
-        std::uint32_t uphill = 0;
-        float steepest = -1e30F;
-        for (const Step& step : kSteps) {
-            const std::int32_t nx = x + step.dx;
-            const std::int32_t ny = y + step.dy;
-            if (nx < 0 || ny < 0 || nx >= height.width || ny >= height.height) continue;
-            const auto n = static_cast<std::size_t>(ny) * static_cast<std::size_t>(height.width) +
-                           static_cast<std::size_t>(nx);
-            if (basins.labels.values[n] == 0) continue;
-            const float slope = (height.values[n] - height.values[i]) * step.inverse_length;
-            if (slope > steepest) {
-                steepest = slope;
-                uphill = basins.labels.values[n];
-            }
+    const auto width = static_cast<std::size_t>(clearance_m.width);
+    const auto height = static_cast<std::size_t>(clearance_m.height);
+    std::vector<std::uint32_t> uphill(clearance_m.values.size());
+    const Raster<float> smoothed = smooth(clearance_m, kSmoothingM / resolution_m, executor);
+    const Raster<std::int32_t> level = levels_of(clearance_m, smoothed, resolution_m, executor);
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        RowAscent ascent(smoothed, level);
+        for (std::size_t y = first; y < last; ++y) ascent.find(y, &uphill[y * width]);
+    });
+    basins.count = number_peaks(uphill, level, basins.labels);
+    std::vector<std::uint32_t>& labels = basins.labels.values;
+    // First up to the last cell of the own rows, so that no way is gone all along again and again.
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        const auto begin = static_cast<std::uint32_t>(first * width);
+        const auto end = static_cast<std::uint32_t>(last * width);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            std::uint32_t top = i;
+            while (uphill[top] != top && uphill[top] >= begin && uphill[top] < end) top = uphill[top];
+            for (std::uint32_t at = i; at != top;) at = std::exchange(uphill[at], top);
         }
-        basins.labels.values[i] = uphill != 0 ? uphill : ++basins.count;
-    }
+    });
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first * width; i < last * width; ++i) {
+            if (level.values[i] < 0) continue;
+            std::uint32_t top = uphill[i];
+            while (uphill[top] != top) top = uphill[top];
+            if (top != i) labels[i] = labels[top];
+        }
+    });
     return basins;
 }
 

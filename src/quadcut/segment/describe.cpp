@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut {
 namespace {
@@ -13,22 +14,26 @@ namespace {
 constexpr double kCorridorMinElongation = 3.5;
 constexpr double kCorridorMaxWidthM = 4.5;
 constexpr double kHallMinAreaM2 = 80.0;
+constexpr std::size_t kRowsPerChunk = 64;
 
 /// 1 where all four neighbours have the cell's own label: the cells inside a region's border.
-Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels) {
+Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels,
+                                         const Executor& executor) {
     Raster<std::uint8_t> interior(labels.origin, labels.width, labels.height);
     const auto width = static_cast<std::size_t>(labels.width);
-    for (std::size_t y = 1; y + 1 < static_cast<std::size_t>(labels.height); ++y) {
-        for (std::size_t x = 1; x + 1 < width; ++x) {
-            const std::size_t i = y * width + x;
-            const std::uint32_t label = labels.values[i];
-            interior.values[i] =
-                label != 0 && labels.values[i - 1] == label && labels.values[i + 1] == label &&
-                        labels.values[i - width] == label && labels.values[i + width] == label
-                    ? 1
-                    : 0;
+    const auto height = static_cast<std::size_t>(labels.height);
+    if (height < 3) return interior;
+    parallel_for(executor, height - 2, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first + 1; y < last + 1; ++y) {
+            const std::uint32_t* const own = &labels.values[y * width];
+            for (std::size_t x = 1; x + 1 < width; ++x) {
+                const std::uint32_t* const at = own + x;
+                const bool is_inside = (at[0] != 0) & (at[-1] == at[0]) & (at[1] == at[0]) &
+                                       (*(at - width) == at[0]) & (at[width] == at[0]);
+                interior.values[y * width + x] = is_inside ? 1 : 0;
+            }
         }
-    }
+    });
     return interior;
 }
 
@@ -44,20 +49,28 @@ struct Shape {
 std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                   const GridMap& map, const Executor& executor) {
     const Raster<float> depth =
-        clearance_m(interior_of_regions(labels), map.resolution_m, executor);
-    std::vector<Shape> shapes(count + 1);
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == 0) continue;
-        const Cell cell = labels.cell(i);
-        Shape& shape = shapes[labels.values[i]];
-        ++shape.num_cells;
-        shape.sum_x += cell.x + 0.5;
-        shape.sum_y += cell.y + 0.5;
-        if (map.states.values[i] == CellState::free && depth.values[i] > shape.depth_m) {
-            shape.depth_m = depth.values[i];
-            shape.deepest = cell;
-        }
-    }
+        clearance_m(interior_of_regions(labels, executor), map.resolution_m, executor);
+    auto shapes = tally_by_label<Shape>(
+        labels, executor,
+        [&](Shape& shape, std::size_t x, std::size_t y, std::size_t i) {
+            ++shape.num_cells;
+            shape.sum_x += labels.origin.x + static_cast<double>(x) + 0.5;
+            shape.sum_y += labels.origin.y + static_cast<double>(y) + 0.5;
+            if (map.states.values[i] == CellState::free && depth.values[i] > shape.depth_m) {
+                shape.depth_m = depth.values[i];
+                shape.deepest = labels.cell(i);
+            }
+        },
+        [](Shape& shape, const Shape& other) {
+            shape.num_cells += other.num_cells;
+            shape.sum_x += other.sum_x;
+            shape.sum_y += other.sum_y;
+            if (other.depth_m > shape.depth_m) {
+                shape.depth_m = other.depth_m;
+                shape.deepest = other.deepest;
+            }
+        });
+    shapes.resize(count + std::size_t{1});
     return shapes;
 }
 

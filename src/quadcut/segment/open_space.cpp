@@ -11,7 +11,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/flood.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/line_walk.hpp"
 
 namespace quadcut {
@@ -141,19 +141,21 @@ private:
 using Obstacles = std::vector<std::vector<std::size_t>>;
 
 /// What is connected, does not leave the raster, and has fewer cells than `max_cells`.
-Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells) {
+Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
+                          const Executor& executor) {
+    const ConnectedParts parts = connected_parts(
+        free, [&](std::size_t i) { return free.values[i] == 0 ? 1U : 0U; }, Connectivity::eight,
+        executor);
+    std::vector<bool> is_small = parts.on_edge();
+    is_small.flip();
+    is_small.front() = false;
+    const std::vector<std::size_t> num_cells = parts.num_cells();
+    for (std::uint32_t part = 1; part <= parts.count; ++part) {
+        if (static_cast<double>(num_cells[part]) >= max_cells) is_small[part] = false;
+    }
     Obstacles small;
-    std::vector<bool> seen(free.values.size(), false);
-    for (std::size_t seed = 0; seed < free.values.size(); ++seed) {
-        if (free.values[seed] != 0 || seen[seed]) continue;
-        std::vector<std::size_t> obstacle =
-            flood(free, seed, seen, Connectivity::eight,
-                  [&](std::size_t cell) { return free.values[cell] == 0; });
-        if (static_cast<double>(obstacle.size()) < max_cells &&
-            std::none_of(obstacle.begin(), obstacle.end(),
-                         [&](std::size_t cell) { return is_on_edge(free, cell); })) {
-            small.push_back(std::move(obstacle));
-        }
+    for (auto& cells : parts.cells_of(is_small)) {
+        if (!cells.empty()) small.push_back(std::move(cells));
     }
     return small;
 }
@@ -169,7 +171,7 @@ void set_all(Raster<std::uint8_t>& open, const Obstacles& obstacles, std::uint8_
 Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
                                 double max_furniture_m2, FurnitureRule rule,
                                 const Executor& executor) {
-    const Obstacles small = small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m));
+    const Obstacles small = small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
     std::vector<std::uint8_t> is_wall(small.size(), 0);
     Raster<std::uint8_t> open = kept;
     set_all(open, small, 1);

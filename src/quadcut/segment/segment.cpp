@@ -51,19 +51,19 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     //    out so that the result does not depend on how the map lies.
     clock.begin("inside");
     const Raster<std::uint8_t> kept_in_map =
-        inside(map, trajectory, options.rooms.min_component_m2);
-    const Layout layout = standard_layout(kept_in_map);
-    const auto kept = laid_out<std::uint8_t>(kept_in_map, layout, 0);
+        inside(map, trajectory, options.rooms.min_component_m2, executor);
+    const Layout layout = standard_layout(kept_in_map, executor);
+    const auto kept = laid_out<std::uint8_t>(kept_in_map, layout, 0, executor);
     // 2. The cut.
-    const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0);
+    const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     const RoomsCut cut = cut_into_rooms({kept, free, map.resolution_m, {}}, options, clock,
                                         executor, result.report, hierarchy);
 
     Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
     Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);
-    put_back(cut.rooms, layout, labels);
-    put_back(cut.clearance_m, layout, clearance_in_map);
+    put_back(cut.rooms, layout, labels, executor);
+    put_back(cut.clearance_m, layout, clearance_in_map, executor);
     if (options.with_hierarchy) {
         Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);
         put_back(result.hierarchy.finest, layout, finest);
