@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "quadcut/base/error.hpp"
 
 namespace quadcut {
 namespace {
@@ -27,54 +31,55 @@ std::vector<float> gaussian_kernel(double sigma_cells) {
     return kernel;
 }
 
-/// Separable smoothing; the outside counts as 0, as it has no clearance.
-Raster<float> smooth(const Raster<float>& in, double sigma_cells, const Executor& executor) {
-    const std::vector<float> kernel = gaussian_kernel(sigma_cells);
-    const auto radius = static_cast<std::int32_t>(kernel.size() / 2);
-    if (radius == 0) return in;
-    const auto width = static_cast<std::size_t>(in.width);
-    const auto height = static_cast<std::size_t>(in.height);
-    Raster<float> across(in.origin, in.width, in.height);
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        for (std::size_t y = first; y < last; ++y) {
-            const float* row = &in.values[y * width];
-            float* out = &across.values[y * width];
-            for (std::int32_t k = -radius; k <= radius; ++k) {
-                const float weight = kernel[static_cast<std::size_t>(k + radius)];
-                const std::int32_t end = std::min(in.width, in.width - k);
-                for (std::int32_t x = std::max(0, -k); x < end; ++x) out[x] += weight * row[x + k];
-            }
-        }
-    });
-    Raster<float> result(in.origin, in.width, in.height);
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        for (std::size_t y = first; y < last; ++y) {
-            float* out = &result.values[y * width];
-            for (std::int32_t k = -radius; k <= radius; ++k) {
-                const std::int64_t from = static_cast<std::int64_t>(y) + k;
-                if (from < 0 || from >= in.height) continue;
-                const float weight = kernel[static_cast<std::size_t>(k + radius)];
-                const float* row = &across.values[static_cast<std::size_t>(from) * width];
-                for (std::size_t x = 0; x < width; ++x) out[x] += weight * row[x];
-            }
-        }
-    });
-    return result;
-}
+/// Rows first .. last - 1 of a raster that is made for them only; row y is at `row(y)`.
+struct Rows {
+    std::int64_t first;
+    std::int64_t last;
+    std::size_t width;
+    std::vector<float> values;
 
-/// Heights in steps of 1/64 of a cell; -1 where there is no clearance.
-Raster<std::int32_t> levels_of(const Raster<float>& clearance, const Raster<float>& height,
-                               double resolution_m, const Executor& executor) {
-    const auto scale = static_cast<float>(64.0 / resolution_m);
-    Raster<std::int32_t> level(height.origin, height.width, height.height);
-    parallel_for(executor, level.values.size(), kCellsPerChunk,
-                 [&](std::size_t first, std::size_t last) {
-                     for (std::size_t i = first; i < last; ++i) {
-                         const auto steps = static_cast<std::int32_t>(height.values[i] * scale);
-                         level.values[i] = clearance.values[i] > 0.0F ? steps : -1;
-                     }
-                 });
-    return level;
+    Rows(std::int64_t first_row, std::int64_t last_row, std::size_t row_width)
+        : first(first_row),
+          last(last_row),
+          width(row_width),
+          values(static_cast<std::size_t>(last_row - first_row) * row_width) {}
+    [[nodiscard]] float* row(std::int64_t y) {
+        return values.data() + static_cast<std::size_t>(y - first) * width;
+    }
+    [[nodiscard]] const float* row(std::int64_t y) const {
+        return values.data() + static_cast<std::size_t>(y - first) * width;
+    }
+};
+
+/// Separable smoothing of some rows; the outside counts as 0, as it has no clearance.
+Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int64_t first,
+            std::int64_t last) {
+    const auto radius = static_cast<std::int64_t>(kernel.size() / 2);
+    const auto width = static_cast<std::int64_t>(in.width);
+    Rows across(std::max<std::int64_t>(0, first - radius),
+                std::min<std::int64_t>(in.height, last + radius), static_cast<std::size_t>(width));
+    for (std::int64_t y = across.first; y < across.last; ++y) {
+        const float* const row = in.values.data() + y * width;
+        float* const out = across.row(y);
+        for (std::int64_t k = -radius; k <= radius; ++k) {
+            const float weight = kernel[static_cast<std::size_t>(k + radius)];
+            const std::int64_t end = std::min(width, width - k);
+            for (std::int64_t x = std::max<std::int64_t>(0, -k); x < end; ++x) {
+                out[x] += weight * row[x + k];
+            }
+        }
+    }
+    Rows result(first, last, static_cast<std::size_t>(width));
+    for (std::int64_t y = first; y < last; ++y) {
+        float* const out = result.row(y);
+        for (std::int64_t k = -radius; k <= radius; ++k) {
+            if (y + k < across.first || y + k >= across.last) continue;
+            const float weight = kernel[static_cast<std::size_t>(k + radius)];
+            const float* const row = across.row(y + k);
+            for (std::int64_t x = 0; x < width; ++x) out[x] += weight * row[x];
+        }
+    }
+    return result;
 }
 
 /// A step to a neighbour. Of cells of one level the one with the smaller offset is the higher.
@@ -93,43 +98,60 @@ constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F},
                                       {1, -1, kDiagonal},
                                       {-1, -1, kDiagonal}}};
 
-/// For the cells of one row, the offset of the neighbour to which it goes up most steeply, or of
-/// the cell itself where all are lower.
-class RowAscent {
+/// Finds for each cell the neighbour to which it goes up most steeply, row by row.
+class Ascent {
 public:
-    RowAscent(const Raster<float>& height, const Raster<std::int32_t>& level)
-        : height_(height),
-          level_(level),
-          width_(static_cast<std::size_t>(height.width)),
+    Ascent(const Raster<float>& clearance, const Rows& height, double resolution_m)
+        : clearance_(clearance),
+          height_(height),
+          width_(height.width),
+          scale_(static_cast<float>(64.0 / resolution_m)),
           steepest_(width_),
-          ahead_(width_) {}
+          ahead_(width_) {
+        for (std::vector<std::int32_t>& levels : levels_) levels.resize(width_);
+        if (height.first < height.last) level(height.first);
+        if (height.first + 1 < height.last) level(height.first + 1);
+    }
 
-    void find(std::size_t y, std::uint32_t* uphill) {
+    /// The offset of that neighbour for the cells of row y, or of the cell itself where all are
+    /// lower. Rows are asked for one after the other, from the second on if there is one before.
+    void find(std::int64_t y, std::uint32_t* uphill) {
+        if (y + 1 < height_.last) level(y + 1);
         std::fill(steepest_.begin(), steepest_.end(), -1e30F);
         std::fill(ahead_.begin(), ahead_.end(), 0);
         for (const Step& step : kSteps) {
-            if ((step.dy < 0 && y == 0) ||
-                (step.dy > 0 && y + 1 == static_cast<std::size_t>(height_.height))) {
-                continue;
-            }
-            look(y, step);
+            if (y + step.dy >= height_.first && y + step.dy < height_.last) look(y, step);
         }
-        const std::size_t row = y * width_;
+        const auto row = static_cast<std::int64_t>(width_) * y;
         for (std::size_t x = 0; x < width_; ++x) {
-            uphill[x] = static_cast<std::uint32_t>(static_cast<std::int64_t>(row + x) + ahead_[x]);
+            uphill[x] = static_cast<std::uint32_t>(row + static_cast<std::int64_t>(x) + ahead_[x]);
         }
+    }
+    /// Heights of a row in steps of 1/64 of a cell; -1 where there is no clearance.
+    [[nodiscard]] const std::vector<std::int32_t>& levels(std::int64_t y) const {
+        return levels_[static_cast<std::size_t>(y) % levels_.size()];
     }
 
 private:
-    void look(std::size_t y, const Step& step) {
-        const std::int32_t ahead = step.dy * height_.width + step.dx;
+    void level(std::int64_t y) {
+        std::vector<std::int32_t>& out = levels_[static_cast<std::size_t>(y) % levels_.size()];
+        const float* const height = height_.row(y);
+        const float* const clearance =
+            clearance_.values.data() + y * static_cast<std::int64_t>(width_);
+        for (std::size_t x = 0; x < width_; ++x) {
+            const auto steps = static_cast<std::int32_t>(height[x] * scale_);
+            out[x] = clearance[x] > 0.0F ? steps : -1;
+        }
+    }
+
+    void look(std::int64_t y, const Step& step) {
+        const std::int32_t ahead = step.dy * static_cast<std::int32_t>(width_) + step.dx;
         const std::size_t begin = step.dx < 0 ? 1 : 0;
         const std::size_t end = step.dx > 0 ? width_ - 1 : width_;
-        const auto row = static_cast<std::int64_t>(y * width_);
-        const float* const own = height_.values.data() + row;
-        const float* const next = own + ahead;
-        const std::int32_t* const own_level = level_.values.data() + row;
-        const std::int32_t* const next_level = own_level + ahead;
+        const float* const own = height_.row(y);
+        const float* const next = height_.row(y + step.dy) + step.dx;
+        const std::int32_t* const own_level = levels(y).data();
+        const std::int32_t* const next_level = levels(y + step.dy).data() + step.dx;
         const std::int32_t more = step.leads_back() ? 0 : 1;
         for (std::size_t x = begin; x < end; ++x) {
             const float slope = (next[x] - own[x]) * step.inverse_length;
@@ -140,26 +162,62 @@ private:
         }
     }
 
-    const Raster<float>& height_;
-    const Raster<std::int32_t>& level_;
+    const Raster<float>& clearance_;
+    const Rows& height_;
     std::size_t width_;
+    float scale_;
+    std::array<std::vector<std::int32_t>, 3> levels_;
     std::vector<float> steepest_;
     std::vector<std::int32_t> ahead_;
 };
 
-/// The peaks, where nothing goes up, numbered from the highest down; their labels.
-std::uint32_t number_peaks(const std::vector<std::uint32_t>& uphill,
-                           const Raster<std::int32_t>& level, Raster<std::uint32_t>& labels) {
-    std::vector<std::uint32_t> peaks;
-    for (std::uint32_t i = 0; i < uphill.size(); ++i) {
-        if (uphill[i] == i && level.values[i] >= 0) peaks.push_back(i);
-    }
-    std::stable_sort(peaks.begin(), peaks.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return level.values[a] > level.values[b];
+/// Where nothing goes up.
+struct Peak {
+    std::int32_t level = 0;
+    std::uint32_t offset = 0;
+};
+
+/// While ways are still followed, a cell holds the offset to which it leads; then its label.
+constexpr std::uint32_t kIsLabel = std::uint32_t{1} << 31U;
+
+std::vector<Peak> find_ways_up(const Raster<float>& clearance, double resolution_m,
+                               const Executor& executor, std::vector<std::uint32_t>& ways) {
+    const std::vector<float> kernel = gaussian_kernel(kSmoothingM / resolution_m);
+    const auto width = static_cast<std::size_t>(clearance.width);
+    const auto height = static_cast<std::size_t>(clearance.height);
+    std::vector<std::vector<Peak>> found((height + kRowsPerChunk - 1) / kRowsPerChunk);
+    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
+        const auto begin = static_cast<std::int64_t>(first);
+        const auto end = static_cast<std::int64_t>(last);
+        const Rows smoothed =
+            smooth(clearance, kernel, std::max<std::int64_t>(0, begin - 1),
+                   std::min<std::int64_t>(static_cast<std::int64_t>(height), end + 1));
+        Ascent ascent(clearance, smoothed, resolution_m);
+        for (std::int64_t y = begin; y < end; ++y) {
+            const auto row = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width);
+            ascent.find(y, &ways[row]);
+            const std::vector<std::int32_t>& levels = ascent.levels(y);
+            for (std::uint32_t x = 0; x < width; ++x) {
+                if (levels[x] < 0) {
+                    ways[row + x] = kIsLabel;
+                } else if (ways[row + x] == row + x) {
+                    found[first / kRowsPerChunk].push_back({levels[x], row + x});
+                }
+            }
+        }
+        // Up to the last cell of the own rows, so that no way is gone all along again and again.
+        const auto low = static_cast<std::uint32_t>(first * width);
+        const auto high = static_cast<std::uint32_t>(last * width);
+        for (std::uint32_t i = low; i < high; ++i) {
+            if ((ways[i] & kIsLabel) != 0) continue;
+            std::uint32_t top = i;
+            while (ways[top] != top && ways[top] >= low && ways[top] < high) top = ways[top];
+            for (std::uint32_t at = i; at != top;) at = std::exchange(ways[at], ways[top]);
+        }
     });
-    std::uint32_t count = 0;
-    for (const std::uint32_t peak : peaks) labels.values[peak] = ++count;
-    return count;
+    std::vector<Peak> peaks;
+    for (const std::vector<Peak>& part : found) peaks.insert(peaks.end(), part.begin(), part.end());
+    return peaks;
 }
 
 }  // namespace
@@ -167,37 +225,33 @@ std::uint32_t number_peaks(const std::vector<std::uint32_t>& uphill,
 Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
                     const Executor& executor) {
     Basins basins;
+    if (clearance_m.values.size() >= kIsLabel) {
+        throw InputError("the map has " + std::to_string(clearance_m.values.size()) +
+                         " cells: expected fewer than " + std::to_string(kIsLabel));
+    }
     basins.labels =
         Raster<std::uint32_t>(clearance_m.origin, clearance_m.width, clearance_m.height);
     if (clearance_m.values.empty()) return basins;
-    const auto width = static_cast<std::size_t>(clearance_m.width);
-    const auto height = static_cast<std::size_t>(clearance_m.height);
-    std::vector<std::uint32_t> uphill(clearance_m.values.size());
-    const Raster<float> smoothed = smooth(clearance_m, kSmoothingM / resolution_m, executor);
-    const Raster<std::int32_t> level = levels_of(clearance_m, smoothed, resolution_m, executor);
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        RowAscent ascent(smoothed, level);
-        for (std::size_t y = first; y < last; ++y) ascent.find(y, &uphill[y * width]);
-    });
-    basins.count = number_peaks(uphill, level, basins.labels);
-    std::vector<std::uint32_t>& labels = basins.labels.values;
-    // First up to the last cell of the own rows, so that no way is gone all along again and again.
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        const auto begin = static_cast<std::uint32_t>(first * width);
-        const auto end = static_cast<std::uint32_t>(last * width);
-        for (std::uint32_t i = begin; i < end; ++i) {
-            std::uint32_t top = i;
-            while (uphill[top] != top && uphill[top] >= begin && uphill[top] < end) top = uphill[top];
-            for (std::uint32_t at = i; at != top;) at = std::exchange(uphill[at], top);
+    std::vector<std::uint32_t>& ways = basins.labels.values;
+    std::vector<Peak> peaks = find_ways_up(clearance_m, resolution_m, executor, ways);
+    // Basins are numbered from the highest peak down.
+    std::stable_sort(peaks.begin(), peaks.end(),
+                     [](const Peak& a, const Peak& b) { return a.level > b.level; });
+    for (const Peak& peak : peaks) ways[peak.offset] = ++basins.count | kIsLabel;
+    // Whether another thread has put a label in place of a way makes no difference.
+    parallel_for(executor, ways.size(), kCellsPerChunk, [&](std::size_t first, std::size_t last) {
+        const auto read = [&](std::size_t i) {
+            return std::atomic_ref(ways[i]).load(std::memory_order_relaxed);
+        };
+        for (std::size_t i = first; i < last; ++i) {
+            std::uint32_t top = read(i);
+            if ((top & kIsLabel) != 0) continue;
+            while ((top & kIsLabel) == 0) top = read(top);
+            std::atomic_ref(ways[i]).store(top, std::memory_order_relaxed);
         }
     });
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first * width; i < last * width; ++i) {
-            if (level.values[i] < 0) continue;
-            std::uint32_t top = uphill[i];
-            while (uphill[top] != top) top = uphill[top];
-            if (top != i) labels[i] = labels[top];
-        }
+    parallel_for(executor, ways.size(), kCellsPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) ways[i] &= ~kIsLabel;
     });
     return basins;
 }

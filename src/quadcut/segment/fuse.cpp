@@ -27,7 +27,9 @@ double fuse_threshold(double granularity) {
     return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
 }
 
-Fuser::Fuser(RegionGraph& regions, const DoorRule& rule) : regions_(regions), rule_(rule) {
+Fuser::Fuser(RegionGraph& regions, const DoorRule& rule, const Executor& executor)
+    : regions_(regions), rule_(rule), executor_(executor) {
+    if (rule_.by == FuseRule::model) regions_.measure_all(rule_.max_width_m, executor_);
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other > region) push(region, other);
@@ -61,6 +63,9 @@ void Fuser::fuse_below(double min_log_odds) {
         const bool a_larger = regions_.area_m2(top.a) >= regions_.area_m2(top.b);
         const std::uint32_t heir = a_larger ? top.a : top.b;
         regions_.join(heir, a_larger ? top.b : top.a);
+        if (rule_.by == FuseRule::model) {
+            regions_.measure_around(heir, rule_.max_width_m, executor_);
+        }
         for (const auto& [other, saddle] : regions_.saddles(heir)) push(heir, other);
     }
 }

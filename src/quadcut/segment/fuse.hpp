@@ -31,7 +31,7 @@ struct DoorRule {
 class Fuser {
 public:
     /// The regions must outlive the fuser, and nothing else may join them while it is in use.
-    Fuser(RegionGraph& regions, const DoorRule& rule);
+    Fuser(RegionGraph& regions, const DoorRule& rule, const Executor& executor = {});
 
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
@@ -56,6 +56,7 @@ private:
 
     RegionGraph& regions_;
     DoorRule rule_;
+    Executor executor_;
     std::priority_queue<Candidate> queue_;
 };
 

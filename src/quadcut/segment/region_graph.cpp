@@ -3,6 +3,7 @@
 #include "quadcut/segment/region_graph.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -17,7 +18,7 @@ namespace {
 constexpr float kFitsM = 0.25F;
 /// What is smaller is not somewhere to go to.
 constexpr double kPlaceM2 = 2.0;
-constexpr std::size_t kSaddlesPerChunk = 64;
+constexpr std::size_t kMaxGauges = 64;
 
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
@@ -59,7 +60,6 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     : pieces_(pieces),
       clearance_(clearance_m),
       resolution_m_(resolution_m),
-      gauge_(clearance_m, resolution_m),
       region_(num_pieces + 1),
       members_(num_pieces + 1),
       extent_(num_pieces + 1),
@@ -155,33 +155,51 @@ Narrowing RegionGraph::measure(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
     const Saddle& saddle = saddles_[a].at(b);
     Measured& measured = measured_[{a, b}];
-    complete(saddle, measured, gauge_);
+    if (gauges_.empty()) gauges_.emplace_back(clearance_, resolution_m_);
+    complete(saddle, measured, gauges_.front());
     Narrowing narrowing = put_together(saddle, *measured.opening, measured.sides[0]->side,
                                        measured.sides[1]->side, resolution_m_);
     describe(a, b, narrowing);
     return narrowing;
 }
 
-void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
-    std::vector<std::pair<const Saddle*, Measured*>> tasks;
-    for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
-        for (const auto& [other, saddle] : saddles_[region]) {
-            if (other < region || 2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) {
-                continue;
-            }
-            Measured& measured = measured_[{region, other}];
-            if (!measured.opening || !measured.sides[0] || !measured.sides[1]) {
-                tasks.emplace_back(&saddle, &measured);
-            }
-        }
+void RegionGraph::collect_unmeasured(std::uint32_t region, double max_width_m, bool is_each_once,
+                                     std::vector<Unmeasured>& found) {
+    for (const auto& [other, saddle] : saddles_[region]) {
+        if (2.0 * static_cast<double>(saddle.clearance_m) > max_width_m) continue;
+        if (is_each_once && other < region) continue;
+        const auto [a, b] = pair_of(region, other);
+        Measured& measured = measured_[{a, b}];
+        if (measured.opening && measured.sides[0] && measured.sides[1]) continue;
+        found.push_back({&saddles_[a].at(b), &measured});
     }
-    parallel_for(executor, tasks.size(), kSaddlesPerChunk,
-                 [&](std::size_t first, std::size_t last) {
-                     NarrowingGauge gauge(clearance_, resolution_m_);
-                     for (std::size_t i = first; i < last; ++i) {
-                         complete(*tasks[i].first, *tasks[i].second, gauge);
-                     }
-                 });
+}
+
+void RegionGraph::measure(std::span<const Unmeasured> saddles, const Executor& executor) {
+    // A gauge for each part of the work, which are as many as threads, or a few times that.
+    const std::size_t num_parts = std::min(saddles.size(), kMaxGauges);
+    while (gauges_.size() < num_parts) gauges_.emplace_back(clearance_, resolution_m_);
+    std::atomic<std::size_t> next = 0;
+    parallel_for(executor, num_parts, 1, [&](std::size_t part, std::size_t) {
+        for (std::size_t i = next++; i < saddles.size(); i = next++) {
+            complete(*saddles[i].saddle, *saddles[i].measured, gauges_[part]);
+        }
+    });
+}
+
+void RegionGraph::measure_around(std::uint32_t region, double max_width_m,
+                                 const Executor& executor) {
+    std::vector<Unmeasured> saddles;
+    collect_unmeasured(region, max_width_m, false, saddles);
+    measure(saddles, executor);
+}
+
+void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
+    std::vector<Unmeasured> saddles;
+    for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
+        collect_unmeasured(region, max_width_m, true, saddles);
+    }
+    measure(saddles, executor);
 }
 
 Narrowing RegionGraph::measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,9 @@ public:
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
     [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
-    /// Measures ahead what measure() will be asked for: all saddles up to a width, on all threads.
+    /// Measures ahead what measure() will be asked for, on all threads: the saddles of a region up
+    /// to a width; of all regions.
+    void measure_around(std::uint32_t region, double max_width_m, const Executor& executor);
     void measure_all(double max_width_m, const Executor& executor);
     /// The same as measure() at another saddle between them, whose cell a lies in region a.
     [[nodiscard]] Narrowing measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
@@ -87,12 +90,21 @@ private:
                       const Saddle& saddle);
     void forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined);
     void complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const;
+    /// A saddle of which something is still to be measured.
+    struct Unmeasured {
+        const Saddle* saddle = nullptr;
+        Measured* measured = nullptr;
+    };
+    void collect_unmeasured(std::uint32_t region, double max_width_m, bool is_each_once,
+                            std::vector<Unmeasured>& found);
+    void measure(std::span<const Unmeasured> saddles, const Executor& executor);
     void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
 
     const Raster<std::uint32_t>& pieces_;
     const Raster<float>& clearance_;
     double resolution_m_;
-    NarrowingGauge gauge_;
+    /// One for each chunk of work that is done at the same time.
+    std::vector<NarrowingGauge> gauges_;
     std::vector<std::uint32_t> region_;
     std::vector<std::vector<std::uint32_t>> members_;
     std::vector<Extent> extent_;

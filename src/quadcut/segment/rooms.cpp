@@ -34,11 +34,7 @@ Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& c
                                       const RoomsOptions& options, const Executor& executor,
                                       RegionGraph& regions, Hierarchy* hierarchy) {
     const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
-    const auto measure_ahead = [&] {
-        if (rule.by == FuseRule::model) regions.measure_all(rule.max_width_m, executor);
-    };
-    measure_ahead();
-    Fuser(regions, rule).fuse_below(fuse_threshold(1.0));
+    Fuser(regions, rule, executor).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
     Raster<std::uint32_t> labels = cut.pieces;
     relabel(regions, labels, {}, executor);
@@ -55,8 +51,7 @@ Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& c
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
     }
-    measure_ahead();
-    Fuser(regions, rule).fuse_below(fuse_threshold(options.granularity));
+    Fuser(regions, rule, executor).fuse_below(fuse_threshold(options.granularity));
     relabel(regions, labels, adoption.enclosures, executor);
     return labels;
 }
