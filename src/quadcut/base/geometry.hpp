@@ -46,6 +46,11 @@ struct Box {
     [[nodiscard]] Box grown(std::int32_t by) const {
         return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
     }
+    [[nodiscard]] Box intersected(const Box& other) const {
+        const Box common{{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
+                         {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
+        return common.is_empty() ? Box{} : common;
+    }
     /// Grows to the smallest box that holds `other` too, which is not empty.
     void include(const Box& other) {
         if (is_empty()) *this = other;

@@ -56,10 +56,11 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint
             ++shape.num_cells;
             shape.sum_x += labels.origin.x + static_cast<double>(x) + 0.5;
             shape.sum_y += labels.origin.y + static_cast<double>(y) + 0.5;
-            if (map.states.values[i] == CellState::free && depth.values[i] > shape.depth_m) {
-                shape.depth_m = depth.values[i];
-                shape.deepest = labels.cell(i);
-            }
+            if (depth.values[i] <= shape.depth_m) return;
+            const Cell cell = labels.cell(i);
+            if (map.states.at(cell) != CellState::free) return;
+            shape.depth_m = depth.values[i];
+            shape.deepest = cell;
         },
         [](Shape& shape, const Shape& other) {
             shape.num_cells += other.num_cells;

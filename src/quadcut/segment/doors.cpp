@@ -138,13 +138,15 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
                              const Raster<float>& clearance_m, double resolution_m,
                              const Pose& map_from_image, double min_width_m,
                              const Executor& executor) {
-    const RegionGraph regions(labels, num_regions, clearance_m, resolution_m, executor);
     std::vector<Found> openings;
+    BorderSaddles saddles;
     for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
+        saddles.emplace(pair, widest_contact(contacts, clearance_m));
         for (auto& opening : split_into_openings(contacts)) {
             openings.push_back({pair, std::move(opening), std::nullopt});
         }
     }
+    const RegionGraph regions(labels, num_regions, saddles, clearance_m, resolution_m, executor);
     parallel_for(executor, openings.size(), kOpeningsPerChunk,
                  [&](std::size_t first, std::size_t last) {
                      NarrowingGauge gauge(clearance_m, resolution_m);

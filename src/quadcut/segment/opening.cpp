@@ -54,15 +54,24 @@ void find_jambs(const Surroundings& around, const Saddle& saddle, Opening& out) 
         std::int32_t nearest = max_squared + 1;
         Cell best{};
         for (std::int32_t dy = -radius; dy <= radius; ++dy) {
-            for (std::int32_t dx = -radius; dx <= radius; ++dx) {
+            const auto look = [&](std::int32_t dx) {
                 const std::int32_t squared = dx * dx + dy * dy;
                 if (squared < min_squared || squared >= nearest || !counts(dx, dy, squared) ||
                     around.is_open(Cell{saddle.a.x + dx, saddle.a.y + dy})) {
-                    continue;
+                    return;
                 }
                 nearest = squared;
                 best = {dx, dy};
-            }
+            };
+            // What is nearer than the nearest one so far, and not too near to be one.
+            const auto reach = [&](std::int32_t squared) {
+                const std::int32_t left = squared - dy * dy;
+                return left < 0 ? -1 : static_cast<std::int32_t>(std::sqrt(left));
+            };
+            const std::int32_t far = std::min(radius, reach(nearest));
+            const std::int32_t near = std::max(0, reach(min_squared));
+            for (std::int32_t dx = -far; dx <= -near; ++dx) look(dx);
+            for (std::int32_t dx = std::max(near, 1 - near); dx <= far; ++dx) look(dx);
         }
         return std::pair{best, nearest};
     };

@@ -33,14 +33,21 @@ Saddle turned(const Saddle& saddle) {
     return {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts};
 }
 
-/// The saddles of pieces a < b within some rows, at the cell of a.
-using BorderSaddles = std::map<std::pair<std::uint32_t, std::uint32_t>, Saddle>;
+/// Whether the wider of two saddles to the same region is the new one.
+template <typename Key>
+bool widen(std::map<Key, Saddle>& saddles, const Key& key, const Saddle& saddle) {
+    const auto [at, is_first] = saddles.emplace(key, saddle);
+    if (is_first) return true;
+    const bool is_wider = saddle.clearance_m > at->second.clearance_m;
+    const std::size_t num_contacts = at->second.num_contacts + saddle.num_contacts;
+    if (is_wider) at->second = saddle;
+    at->second.num_contacts = num_contacts;
+    return is_wider;
+}
 
-/// By part of the raster; a saddle may have some of its contacts in each.
-std::vector<BorderSaddles> border_saddles(const Raster<std::uint32_t>& pieces,
-                                          const Raster<float>& clearance_m,
-                                          const Executor& executor) {
-    std::vector<BorderSaddles> parts = for_each_contact<BorderSaddles>(
+BorderSaddles border_saddles(const Raster<std::uint32_t>& pieces, const Raster<float>& clearance_m,
+                             const Executor& executor) {
+    const std::vector<BorderSaddles> parts = for_each_contact<BorderSaddles>(
         pieces, executor, [&](Saddle& saddle, const Contact& contact) {
             const float height =
                 std::min(clearance_m.at(contact.a), clearance_m.at(contact.b));
@@ -49,7 +56,11 @@ std::vector<BorderSaddles> border_saddles(const Raster<std::uint32_t>& pieces,
             }
             ++saddle.num_contacts;
         });
-    return parts;
+    BorderSaddles all;
+    for (const BorderSaddles& part : parts) {
+        for (const auto& [pair, saddle] : part) widen(all, pair, saddle);
+    }
+    return all;
 }
 
 }  // namespace
@@ -57,6 +68,12 @@ std::vector<BorderSaddles> border_saddles(const Raster<std::uint32_t>& pieces,
 RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                          const Raster<float>& clearance_m, double resolution_m,
                          const Executor& executor)
+    : RegionGraph(pieces, num_pieces, border_saddles(pieces, clearance_m, executor), clearance_m,
+                  resolution_m, executor) {}
+
+RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                         const BorderSaddles& saddles, const Raster<float>& clearance_m,
+                         double resolution_m, const Executor& executor)
     : pieces_(pieces),
       clearance_(clearance_m),
       resolution_m_(resolution_m),
@@ -82,12 +99,10 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
             static_cast<double>(extents[piece].num_cells) * resolution_m * resolution_m;
         extent_[piece].peak_m = static_cast<double>(extents[piece].peak_m);
     }
-    for (const BorderSaddles& part : border_saddles(pieces, clearance_m, executor)) {
-        for (const auto& [pair, saddle] : part) {
-            const auto [a, b] = pair;
-            widen(saddles_[a], b, saddle);
-            widen(saddles_[b], a, turned(saddle));
-        }
+    for (const auto& [pair, saddle] : saddles) {
+        const auto [a, b] = pair;
+        saddles_[a].emplace(b, saddle);
+        saddles_[b].emplace(a, turned(saddle));
     }
 }
 
@@ -224,17 +239,6 @@ void RegionGraph::describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowin
     };
     fill(narrowing.is_a_narrower ? a : b, narrowing.narrower);
     fill(narrowing.is_a_narrower ? b : a, narrowing.wider);
-}
-
-bool RegionGraph::widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
-                        const Saddle& saddle) {
-    const auto [at, is_first] = saddles.emplace(other, saddle);
-    if (is_first) return true;
-    const bool is_wider = saddle.clearance_m > at->second.clearance_m;
-    const std::size_t num_contacts = at->second.num_contacts + saddle.num_contacts;
-    if (is_wider) at->second = saddle;
-    at->second.num_contacts = num_contacts;
-    return is_wider;
 }
 
 }  // namespace quadcut

@@ -27,6 +27,9 @@ struct Beyond {
     std::size_t num_openings = 0;
 };
 
+/// The saddle of each two pieces a < b that touch, at the cell of a.
+using BorderSaddles = std::map<std::pair<std::uint32_t, std::uint32_t>, Saddle>;
+
 /// Regions made of pieces that only ever join, with the widest saddle to each neighbour.
 class RegionGraph {
 public:
@@ -34,6 +37,10 @@ public:
     RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                 const Raster<float>& clearance_m, double resolution_m,
                 const Executor& executor = {});
+    /// The same, of which the saddles are known.
+    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                const BorderSaddles& saddles, const Raster<float>& clearance_m,
+                double resolution_m, const Executor& executor = {});
 
     /// The region that a piece has become part of; a region is named by one of its pieces.
     [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
@@ -85,9 +92,6 @@ private:
         std::array<std::optional<WalkedSide>, 2> sides;
     };
 
-    /// Whether the wider of two saddles to the same region is the new one.
-    static bool widen(std::map<std::uint32_t, Saddle>& saddles, std::uint32_t other,
-                      const Saddle& saddle);
     void forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined);
     void complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const;
     /// A saddle of which something is still to be measured.

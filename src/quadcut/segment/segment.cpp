@@ -24,6 +24,7 @@ namespace {
 
 /// Narrower openings are gaps in the map.
 constexpr double kMinDoorM = 0.3;
+constexpr std::size_t kRowsPerChunk = 64;
 
 /// Numbers, doors and descriptions: what both presets end with.
 void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<float>& clearance,
@@ -39,8 +40,17 @@ void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<flo
     result.rooms = describe_rooms(labels, count, map, result.doors, executor);
     result.next_id = count + 1;
     result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
-    std::transform(labels.values.begin(), labels.values.end(), result.labels.values.begin(),
-                   [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
+    parallel_for(executor, static_cast<std::size_t>(labels.height), kRowsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     const auto width = static_cast<std::size_t>(labels.width);
+                     for (std::size_t y = first; y < last; ++y) {
+                         const auto row = labels.values.begin() + static_cast<std::ptrdiff_t>(y * width);
+                         const Cell start = labels.cell(y * width);
+                         std::transform(
+                             row, row + labels.width, &result.labels.at(start),
+                             [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
+                     }
+                 });
 }
 
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
@@ -60,8 +70,10 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     const RoomsCut cut = cut_into_rooms({kept, free, map.resolution_m, {}}, options, clock,
                                         executor, result.report, hierarchy);
 
-    Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
-    Raster<float> clearance_in_map(map.states.origin, map.states.width, map.states.height);
+    // In the map as it lies, what was cut is all that is looked at from here on.
+    const Box box = layout.box.intersected(map.states.box());
+    Raster<std::uint32_t> labels(box);
+    Raster<float> clearance_in_map(box);
     put_back(cut.rooms, layout, labels, executor);
     put_back(cut.clearance_m, layout, clearance_in_map, executor);
     if (options.with_hierarchy) {
