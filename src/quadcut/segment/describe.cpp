@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/describe.hpp"
 
+#include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
@@ -52,15 +54,20 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint
         clearance_m(interior_of_regions(labels, executor), map.resolution_m, executor);
     auto shapes = tally_by_label<Shape>(
         labels, executor,
-        [&](Shape& shape, std::size_t x, std::size_t y, std::size_t i) {
-            ++shape.num_cells;
-            shape.sum_x += labels.origin.x + static_cast<double>(x) + 0.5;
-            shape.sum_y += labels.origin.y + static_cast<double>(y) + 0.5;
-            if (depth.values[i] <= shape.depth_m) return;
-            const Cell cell = labels.cell(i);
-            if (map.states.at(cell) != CellState::free) return;
-            shape.depth_m = depth.values[i];
-            shape.deepest = cell;
+        [&](Shape& shape, const LabelRun& run) {
+            const Cell first = labels.cell(run.offset);
+            const auto length = static_cast<double>(run.num_cells);
+            shape.num_cells += run.num_cells;
+            shape.sum_x += length * (first.x + 0.5 * length);
+            shape.sum_y += length * (first.y + 0.5);
+            const float* const depths = &depth.values[run.offset];
+            if (largest(depths, run.num_cells, shape.depth_m) <= shape.depth_m) return;
+            const CellState* const states = &map.states.values[map.states.offset(first)];
+            for (std::size_t k = 0; k < run.num_cells; ++k) {
+                if (depths[k] <= shape.depth_m || states[k] != CellState::free) continue;
+                shape.depth_m = depths[k];
+                shape.deepest = {first.x + static_cast<std::int32_t>(k), first.y};
+            }
         },
         [](Shape& shape, const Shape& other) {
             shape.num_cells += other.num_cells;
@@ -94,19 +101,32 @@ std::string default_name(RoomKind kind, RoomId id) {
     return word + std::to_string(index(id));
 }
 
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels) {
-    std::vector<std::uint32_t> number;
-    std::uint32_t count = 0;
-    const auto width = static_cast<std::size_t>(labels.width);
-    for (std::size_t y = static_cast<std::size_t>(labels.height); y-- > 0;) {
-        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-            const std::uint32_t label = labels.values[i];
-            if (label == 0) continue;
-            if (label >= number.size()) number.resize(label + 1, 0);
-            if (number[label] == 0) number[label] = ++count;
-            labels.values[i] = number[label];
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Executor& executor) {
+    struct First {
+        std::size_t row_from_top = static_cast<std::size_t>(-1);
+        std::size_t x = 0;
+        std::uint32_t label = 0;
+        bool operator<(const First& other) const {
+            return std::tie(row_from_top, x) < std::tie(other.row_from_top, other.x);
         }
+    };
+    std::vector<First> firsts = tally_by_label<First>(
+        labels, executor,
+        [&](First& first, const LabelRun& run) {
+            const First own{static_cast<std::size_t>(labels.height) - 1 - run.y, run.x,
+                            labels.values[run.offset]};
+            if (own < first) first = own;
+        },
+        [](First& first, const First& other) {
+            if (other < first) first = other;
+        });
+    std::vector<std::uint32_t> number(firsts.size(), 0);
+    std::sort(firsts.begin(), firsts.end());
+    std::uint32_t count = 0;
+    for (const First& first : firsts) {
+        if (first.label != 0) number[first.label] = ++count;
     }
+    renumber(labels, number, executor);
     return count;
 }
 

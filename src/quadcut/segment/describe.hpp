@@ -15,7 +15,8 @@ namespace quadcut {
 
 /// Renumbers regions 1 .. count in reading order (first cell from the top left), without gaps.
 /// Returns the new count. O(cells).
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels);
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels,
+                                      const Executor& executor = {});
 
 /// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
 [[nodiscard]] std::string default_name(RoomKind kind, RoomId id);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,9 +19,17 @@ namespace quadcut {
     return std::max<std::size_t>(16, (height + kMaxParts - 1) / kMaxParts);
 }
 
-/// One tally for each label from 0 on, of all its cells: `add(tally, x, y, offset)` for each cell
-/// whose label is not 0, and `merge(into, from)` for the tallies of parts of the raster, in their
-/// order. O(cells).
+/// Cells beside each other that have one label: so many from column x of row y on.
+struct LabelRun {
+    std::size_t x = 0;
+    std::size_t y = 0;
+    std::size_t offset = 0;
+    std::size_t num_cells = 0;
+};
+
+/// One tally for each label from 0 on, of all its cells: `add(tally, run)` for each run whose label
+/// is not 0, and `merge(into, from)` for the tallies of parts of the raster, in their order.
+/// O(cells).
 template <typename Tally, typename Label, typename Add, typename Merge>
 [[nodiscard]] std::vector<Tally> tally_by_label(const Raster<Label>& labels,
                                                 const Executor& executor, const Add& add,
@@ -32,11 +41,15 @@ template <typename Tally, typename Label, typename Add, typename Merge>
     parallel_for(executor, height, num_rows, [&](std::size_t first, std::size_t last) {
         std::vector<Tally> tallies;
         for (std::size_t y = first; y < last; ++y) {
-            for (std::size_t x = 0, i = y * width; x < width; ++x, ++i) {
-                const std::size_t label = labels.values[i];
+            const Label* const row = labels.values.data() + y * width;
+            for (std::size_t x = 0; x < width;) {
+                const std::size_t begin = x;
+                const std::size_t label = row[x];
+                while (++x < width && row[x] == label) {
+                }
                 if (label == 0) continue;
                 if (label >= tallies.size()) tallies.resize(label + 1);
-                add(tallies[label], x, y, i);
+                add(tallies[label], LabelRun{begin, y, y * width + begin, x - begin});
             }
         }
         parts[first / num_rows] = std::move(tallies);
@@ -47,6 +60,18 @@ template <typename Tally, typename Label, typename Add, typename Merge>
         for (std::size_t label = 1; label < part.size(); ++label) merge(all[label], part[label]);
     }
     return all;
+}
+
+/// The largest of some values, at least `least`.
+[[nodiscard]] inline float largest(const float* values, std::size_t count, float least) {
+    // Four at a time: each maximum waits for the one before.
+    std::array<float, 4> most{least, least, least, least};
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        for (std::size_t k = 0; k < 4; ++k) most[k] = std::max(most[k], values[i + k]);
+    }
+    for (; i < count; ++i) most[0] = std::max(most[0], values[i]);
+    return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
 /// Puts `now[label]` in place of each label. O(cells).

@@ -86,9 +86,9 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
     const auto extents = tally_by_label<PieceExtent>(
         pieces, executor,
-        [&](PieceExtent& extent, std::size_t, std::size_t, std::size_t i) {
-            ++extent.num_cells;
-            extent.peak_m = std::max(extent.peak_m, clearance_m.values[i]);
+        [&](PieceExtent& extent, const LabelRun& run) {
+            extent.num_cells += run.num_cells;
+            extent.peak_m = largest(&clearance_m.values[run.offset], run.num_cells, extent.peak_m);
         },
         [](PieceExtent& extent, const PieceExtent& other) {
             extent.num_cells += other.num_cells;

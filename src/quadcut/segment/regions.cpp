@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -86,7 +88,7 @@ void drop(Raster<std::uint32_t>& labels, std::size_t num_labels, const Executor&
 /// rooms; counts the ways by room, and remembers where each cell was reached from.
 struct OutlineWalk {
     std::map<std::uint32_t, std::size_t> ways;
-    std::map<std::size_t, std::size_t> reached_from;
+    std::unordered_map<std::size_t, std::size_t> reached_from;
     std::vector<std::pair<std::uint32_t, std::size_t>> arrivals;
     std::size_t num_starts = 0;
 };
@@ -156,12 +158,12 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
                      const Executor& executor) {
     const auto widest = tally_by_label<float>(
         labels, executor,
-        [&](float& width, std::size_t, std::size_t, std::size_t i) {
-            width = std::max(width, 2.0F * clearance_m.values[i]);
+        [&](float& peak, const LabelRun& run) {
+            peak = largest(&clearance_m.values[run.offset], run.num_cells, peak);
         },
-        [](float& width, float other) { width = std::max(width, other); });
+        [](float& peak, float other) { peak = std::max(peak, other); });
     drop(labels, widest.size(), executor, [&](std::uint32_t label) {
-        return static_cast<double>(widest[label]) < min_width_m && !is_set(goes_on, label);
+        return 2.0 * static_cast<double>(widest[label]) < min_width_m && !is_set(goes_on, label);
     });
 }
 
@@ -169,7 +171,11 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
                         const Executor& executor) {
     const auto floor = tally_by_label<std::uint8_t>(
         labels, executor,
-        [&](std::uint8_t& seen, std::size_t, std::size_t, std::size_t i) { seen |= free.values[i]; },
+        [&](std::uint8_t& seen, const LabelRun& run) {
+            if (seen == 0 && std::memchr(&free.values[run.offset], 1, run.num_cells) != nullptr) {
+                seen = 1;
+            }
+        },
         [](std::uint8_t& seen, std::uint8_t other) { seen |= other; });
     drop(labels, floor.size(), executor, [&](std::uint32_t label) { return floor[label] == 0; });
 }
@@ -223,7 +229,7 @@ Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>
                        const Pockets& pockets, const Executor& executor) {
     const auto num_cells = tally_by_label<std::size_t>(
         labels, executor,
-        [](std::size_t& count, std::size_t, std::size_t, std::size_t) { ++count; },
+        [](std::size_t& count, const LabelRun& run) { count += run.num_cells; },
         [](std::size_t& count, std::size_t other) { count += other; });
     Adoption adoption;
     for (const std::vector<std::size_t>& pocket : pockets.cells) {

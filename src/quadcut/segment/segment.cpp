@@ -30,7 +30,7 @@ constexpr std::size_t kRowsPerChunk = 64;
 void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<float>& clearance,
               StageClock& clock, const Executor& executor, Segmentation& result) {
     clock.begin("doors");
-    const std::uint32_t count = number_in_reading_order(labels);
+    const std::uint32_t count = number_in_reading_order(labels, executor);
     if (count > kMaxRoomId) {
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
