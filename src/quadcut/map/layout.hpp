@@ -30,8 +30,31 @@ struct Layout {
         if (is_transposed) std::swap(cell.x, cell.y);
         return {box.low.x + cell.x, box.low.y + cell.y};
     }
+    /// The same for a point; both in cells, the new cell (0, 0) covering [0, 1) x [0, 1).
+    [[nodiscard]] Point source_point(Point point) const {
+        if (is_x_reversed) point.x = width() - point.x;
+        if (is_y_reversed) point.y = height() - point.y;
+        if (is_transposed) std::swap(point.x, point.y);
+        return {box.low.x + point.x, box.low.y + point.y};
+    }
     [[nodiscard]] std::int32_t width() const { return is_transposed ? box.height() : box.width(); }
     [[nodiscard]] std::int32_t height() const { return is_transposed ? box.width() : box.height(); }
+};
+
+/// The map as it lies, from cell (0, 0) on.
+[[nodiscard]] inline Layout as_it_lies(const Box& box) { return {box, false, false, false}; }
+
+/// Where what was laid out lies in the map frame.
+struct LaidOutFrame {
+    Layout layout;
+    double resolution_m = 0.05;
+    Pose map_from_image;
+
+    /// Of a point in cells of the layout; metres.
+    [[nodiscard]] Point in_map(const Point& cells) const {
+        const Point at = layout.source_point(cells);
+        return transform(map_from_image, {at.x * resolution_m, at.y * resolution_m});
+    }
 };
 
 /// Sums over cells of the powers 0 to 3 of one coordinate.
