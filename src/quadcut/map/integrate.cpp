@@ -90,20 +90,9 @@ void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Poin
 }
 
 bool is_near(Cell tile, const Point& sensor, double range) {
-    return std::hypot((tile.x + 0.5) * kTileSide - sensor.x,
-                      (tile.y + 0.5) * kTileSide - sensor.y) < range;
-}
-
-Tile with_evidence(const Tile& tile, const TileEvidence& evidence,
-                   const IntegrateOptions& options) {
-    Tile sum = tile;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        const int delta = (evidence.hit >> i & 1) != 0    ? options.hit
-                          : (evidence.miss >> i & 1) != 0 ? options.miss
-                                                          : 0;
-        sum.values[i] = bounded_sum(sum.values[i], delta);
-    }
-    return sum;
+    const double x = (tile.x + 0.5) * kTileSide - sensor.x;
+    const double y = (tile.y + 0.5) * kTileSide - sensor.y;
+    return x * x + y * y < range * range;
 }
 
 // Around the lower left cells of the tiles.
@@ -144,8 +133,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
             const std::uint64_t hit = cells.hit.tile_rows(x, y);
             std::uint64_t miss = cells.free.tile_rows(x, y) & ~hit;
             if (miss != 0 && !map.is_uniform_tile(tile) && !is_near(tile, sensor, trusted_range)) {
-                miss &= ~rows_where(map.tile(tile),
-                                    [&](int log_odds) { return log_odds >= options.sure; });
+                miss &= ~rows_at_least(map.tile(tile), options.sure);
             }
             if ((miss | hit) != 0) {
                 evidence.push_back({tile, miss, hit});
@@ -167,7 +155,8 @@ void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
         if (one.hit == 0 && map.is_uniform_tile(one.tile) && tile.values.front() == kMinLogOdds) {
             continue;
         }
-        map.set_tile(one.tile, with_evidence(tile, one, options));
+        map.set_tile(one.tile,
+                     bounded_sums(tile, one.hit, options.hit, one.miss, options.miss));
     }
 }
 

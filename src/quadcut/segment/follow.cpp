@@ -72,7 +72,7 @@ Box cells_of_tiles(const Box& tiles) {
 }  // namespace
 
 std::uint64_t free_rows(const Tile& tile) {
-    return rows_where(tile, [](int log_odds) { return log_odds < 0; });
+    return rows_below_zero(tile);
 }
 
 FollowOptions with_preset(FollowOptions options) {
