@@ -58,9 +58,7 @@ std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from
     double stretch = 2.0;  // where the stretch that is not began; beyond the end: nowhere
     walk_line({from.x / kTileSide, from.y / kTileSide}, {to.x / kTileSide, to.y / kTileSide},
               [&](Cell tile, double t) {
-                  const bool is_plain =
-                      map.is_uniform_tile(tile) && map.tile(tile).values.front() < sure;
-                  if (!is_plain) {
+                  if (map.shared_log_odds(tile) >= sure) {
                       stretch = std::min(stretch, t);
                   } else if (stretch < 1.0) {
                       search(stretch, std::min(t, 1.0));
@@ -150,13 +148,10 @@ void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
     const Box box = box_of(evidence);
     map.reserve(box.low, box.high);
     for (const TileEvidence& one : evidence) {
-        const Tile& tile = map.tile(one.tile);
         // Most of what a scan sees is a block that is as free as can be.
-        if (one.hit == 0 && map.is_uniform_tile(one.tile) && tile.values.front() == kMinLogOdds) {
-            continue;
-        }
+        if (one.hit == 0 && map.shared_log_odds(one.tile) == kMinLogOdds) continue;
         map.set_tile(one.tile,
-                     bounded_sums(tile, one.hit, options.hit, one.miss, options.miss));
+                     bounded_sums(map.tile(one.tile), one.hit, options.hit, one.miss, options.miss));
     }
 }
 
