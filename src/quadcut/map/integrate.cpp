@@ -150,8 +150,8 @@ void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
     for (const TileEvidence& one : evidence) {
         // Most of what a scan sees is a block that is as free as can be.
         if (one.hit == 0 && map.shared_log_odds(one.tile) == kMinLogOdds) continue;
-        map.set_tile(one.tile,
-                     bounded_sums(map.tile(one.tile), one.hit, options.hit, one.miss, options.miss));
+        map.set_tile(one.tile, bounded_sums(map.tile(one.tile), one.hit, options.hit, one.miss,
+                                            options.miss));
     }
 }
 

@@ -83,38 +83,39 @@ void for_each_laid_out(const Raster<T>& raster, const Layout& layout, const Exec
     const std::int32_t width = layout.width();
     const std::int32_t height = layout.height();
     if (width <= 0 || height <= 0) return;
-    parallel_for(
-        executor, static_cast<std::size_t>(height), kBlock,
-        [&](std::size_t first, std::size_t last) {
-            const auto low = static_cast<std::int32_t>(first);
-            const auto high = static_cast<std::int32_t>(last);
-            const std::int32_t columns = layout.is_transposed ? kBlock : width;
-            for (std::int32_t begin = 0; begin < width; begin += columns) {
-                const std::int32_t end = std::min(width, begin + columns);
-                for (std::int32_t y = low; y < high; ++y) {
-                    const Cell from = layout.source({begin, y});
-                    const Cell next = layout.source({begin + 1, y});
-                    const Cell step{next.x - from.x, next.y - from.y};
-                    // The columns whose source lies in the raster.
-                    std::int32_t x = begin;
-                    std::int32_t stop = end;
-                    const auto source = [&](std::int32_t column) {
-                        return Cell{from.x + (column - begin) * step.x,
-                                    from.y + (column - begin) * step.y};
-                    };
-                    while (x < stop && !raster.contains(source(x))) ++x;
-                    while (x < stop && !raster.contains(source(stop - 1))) --stop;
-                    if (x >= stop) continue;
-                    const auto stride = static_cast<std::ptrdiff_t>(step.x) +
-                                        static_cast<std::ptrdiff_t>(step.y) * raster.width;
-                    auto there = static_cast<std::ptrdiff_t>(raster.offset(source(x)));
-                    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-                    for (; x < stop; ++x, there += stride) {
-                        visit(row + static_cast<std::size_t>(x), static_cast<std::size_t>(there));
-                    }
-                }
-            }
-        });
+    parallel_for(executor, static_cast<std::size_t>(height), kBlock,
+                 [&](std::size_t first, std::size_t last) {
+                     const auto low = static_cast<std::int32_t>(first);
+                     const auto high = static_cast<std::int32_t>(last);
+                     const std::int32_t columns = layout.is_transposed ? kBlock : width;
+                     for (std::int32_t begin = 0; begin < width; begin += columns) {
+                         const std::int32_t end = std::min(width, begin + columns);
+                         for (std::int32_t y = low; y < high; ++y) {
+                             const Cell from = layout.source({begin, y});
+                             const Cell next = layout.source({begin + 1, y});
+                             const Cell step{next.x - from.x, next.y - from.y};
+                             // The columns whose source lies in the raster.
+                             std::int32_t x = begin;
+                             std::int32_t stop = end;
+                             const auto source = [&](std::int32_t column) {
+                                 return Cell{from.x + (column - begin) * step.x,
+                                             from.y + (column - begin) * step.y};
+                             };
+                             while (x < stop && !raster.contains(source(x))) ++x;
+                             while (x < stop && !raster.contains(source(stop - 1))) --stop;
+                             if (x >= stop) continue;
+                             const auto stride = static_cast<std::ptrdiff_t>(step.x) +
+                                                 static_cast<std::ptrdiff_t>(step.y) * raster.width;
+                             auto there = static_cast<std::ptrdiff_t>(raster.offset(source(x)));
+                             const std::size_t row =
+                                 static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+                             for (; x < stop; ++x, there += stride) {
+                                 visit(row + static_cast<std::size_t>(x),
+                                       static_cast<std::size_t>(there));
+                             }
+                         }
+                     }
+                 });
 }
 
 /// The raster in the layout, from cell (0, 0) on; `outside` where the box reaches beyond. O(box).

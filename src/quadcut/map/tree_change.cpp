@@ -69,9 +69,9 @@ private:
             const Cell child = child_of(position, static_cast<int>(i));
             // In the order of their codes, those of one block follow each other.
             const std::uint64_t beyond = (morton_code(child) + 1) << (2 * (layer - 1));
-            const auto next = std::find_if(tiles.begin(), tiles.end(), [&](const WrittenTile& tile) {
-                return tile.code >= beyond;
-            });
+            const auto next =
+                std::find_if(tiles.begin(), tiles.end(),
+                             [&](const WrittenTile& tile) { return tile.code >= beyond; });
             children[i] = visit(layer - 1, child, {tiles.begin(), next});
             tiles = {next, tiles.end()};
         }

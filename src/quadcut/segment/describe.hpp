@@ -27,8 +27,7 @@ std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layou
 /// Names are the default ones. O(cells).
 [[nodiscard]] std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels,
                                                std::uint32_t count, const GridMap& map,
-                                               const Layout& layout,
-                                               const std::vector<Door>& doors,
+                                               const Layout& layout, const std::vector<Door>& doors,
                                                const Executor& executor = {});
 
 }  // namespace quadcut

@@ -25,7 +25,7 @@ using Contacts = std::map<Pair, std::vector<Contact>>;
 Contacts find_contacts(const Raster<std::uint32_t>& labels, const Executor& executor) {
     Contacts all;
     for (Contacts& part : for_each_contact<Contacts>(
-             labels, executor, [](std::vector<Contact>& contacts, const Contact& contact) {
+             labels, executor, [](std::vector<Contact>&contacts, const Contact&contact) {
                  contacts.push_back(contact);
              })) {
         for (auto& [pair, contacts] : part) {
@@ -144,15 +144,15 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
             openings.push_back({pair, std::move(opening), std::nullopt});
         }
     }
-    const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m, executor);
-    parallel_for(executor, openings.size(), kOpeningsPerChunk,
-                 [&](std::size_t first, std::size_t last) {
-                     NarrowingGauge gauge(clearance_m, frame.resolution_m);
-                     for (std::size_t i = first; i < last; ++i) {
-                         openings[i].door =
-                             measure_door(openings[i], regions, clearance_m, frame, gauge);
-                     }
-                 });
+    const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m,
+                              executor);
+    parallel_for(
+        executor, openings.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
+            NarrowingGauge gauge(clearance_m, frame.resolution_m);
+            for (std::size_t i = first; i < last; ++i) {
+                openings[i].door = measure_door(openings[i], regions, clearance_m, frame, gauge);
+            }
+        });
     std::vector<Door> doors;
     for (const Found& opening : openings) {
         if (opening.door && opening.door->width_m >= min_width_m) doors.push_back(*opening.door);

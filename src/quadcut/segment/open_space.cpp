@@ -189,9 +189,8 @@ Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
     if (rule == FurnitureRule::reach) {
         const Raster<float> clearance = clearance_m(open, resolution_m, executor);
         for (const std::vector<std::size_t>& obstacle : small) {
-            if (std::all_of(obstacle.begin(), obstacle.end(), [&](std::size_t cell) {
-                    return clearance.values[cell] < kReachM;
-                })) {
+            if (std::all_of(obstacle.begin(), obstacle.end(),
+                            [&](std::size_t cell) { return clearance.values[cell] < kReachM; })) {
                 set_all(open, obstacle, 0);
             }
         }

@@ -32,9 +32,8 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
 
 /// `cut.rooms`, which holds the pieces at first, is what `regions` look at all the time: a region
 /// has the number of one of its pieces.
-void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options,
-                     const Executor& executor, RegionGraph& regions, RoomsCut& cut,
-                     Hierarchy* hierarchy) {
+void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
+                     RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
     const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
     Fuser(regions, rule, executor).fuse_below(fuse_threshold(1.0));
