@@ -109,10 +109,10 @@ void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) 
     if (plan.scale_bar.length > 0.0) draw_scale_bar(canvas, plan.scale_bar, typeface);
 }
 
-std::string render_png(const FloorPlan& plan) {
+std::string render_png(const FloorPlan& plan, const Executor& executor) {
     Canvas canvas(plan.page_width, plan.page_height, kPaper);
     draw_plan(canvas, plan, Typeface());
-    return canvas.encode_png();
+    return canvas.encode_png(executor);
 }
 
 }  // namespace quadcut::io
