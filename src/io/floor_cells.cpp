@@ -100,25 +100,26 @@ FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels,
     const Cell origin{map.states.origin.x + frame.low.x, map.states.origin.y + frame.low.y};
     FloorCells cells{{origin, width, height}, {origin, width, height}};
     constexpr std::uint16_t kLastRoom = kFirstNonRoom - 1;
-    // By state: unknown, free, occupied. A room's label covers what stands in it, too: an obstacle
-    // is still to be seen.
-    std::array<std::uint16_t, 3> ground_of{};
-    std::array<std::uint8_t, 3> furniture_of{};
-    ground_of.at(static_cast<std::size_t>(CellState::free)) = kLooseFree;
-    ground_of.at(static_cast<std::size_t>(CellState::occupied)) = kWall;
-    furniture_of.at(static_cast<std::size_t>(CellState::occupied)) = kFurniture;
-    furniture_of.at(static_cast<std::size_t>(CellState::unknown)) = kFurnitureInside;
+    constexpr std::array<std::uint16_t, 3> kGroundOf = {0, kLooseFree, kWall};
+    // A room's label covers what stands in it, too: an obstacle is still to be seen.
+    constexpr std::array<std::uint8_t, 3> kFurnitureOf = {kFurnitureInside, 0, kFurniture};
+    static_assert(static_cast<int>(CellState::unknown) == 0 &&
+                  static_cast<int>(CellState::free) == 1 &&
+                  static_cast<int>(CellState::occupied) == 2);
     for_rows(executor, height, [&](std::size_t first, std::size_t last) {
-        std::size_t to = first * static_cast<std::size_t>(width);
         for (std::size_t y = first; y < last; ++y) {
-            std::size_t from =
+            const std::size_t from =
                 map.states.offset({origin.x, origin.y + static_cast<std::int32_t>(y)});
-            for (std::int32_t x = 0; x < width; ++x, ++from, ++to) {
-                const auto state = static_cast<std::size_t>(map.states.values[from]);
-                const std::uint16_t label = labels.values[from];
-                cells.ground.values[to] =
-                    label != 0 ? std::min(label, kLastRoom) : ground_of[state];
-                cells.furniture.values[to] = label != 0 ? furniture_of[state] : std::uint8_t{0};
+            const CellState* const states = map.states.values.data() + from;
+            const std::uint16_t* const label = labels.values.data() + from;
+            std::uint16_t* const ground =
+                cells.ground.values.data() + y * static_cast<std::size_t>(width);
+            std::uint8_t* const furniture =
+                cells.furniture.values.data() + y * static_cast<std::size_t>(width);
+            for (std::int32_t x = 0; x < width; ++x) {
+                const auto state = static_cast<std::size_t>(states[x]);
+                ground[x] = label[x] != 0 ? std::min(label[x], kLastRoom) : kGroundOf[state];
+                furniture[x] = label[x] != 0 ? kFurnitureOf[state] : std::uint8_t{0};
             }
         }
     });
@@ -132,7 +133,9 @@ Raster<std::uint8_t> mask_of(const Raster<std::uint16_t>& ground, std::uint16_t 
                              const Executor& executor) {
     Raster<std::uint8_t> mask(ground.origin, ground.width, ground.height);
     for_cells(executor, mask.values.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) mask.values[i] = ground.values[i] == value;
+        std::transform(ground.values.data() + first, ground.values.data() + last,
+                       mask.values.data() + first,
+                       [value](std::uint16_t cell) { return std::uint8_t{cell == value}; });
     });
     return mask;
 }
@@ -199,11 +202,12 @@ void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells, const Execu
     const Raster<std::uint8_t> inner = find_inner_cells(cells.ground, rim_cells - 1, executor);
     std::atomic<bool> any{false};
     for_cells(executor, inner.values.size(), [&](std::size_t first, std::size_t last) {
+        const std::uint8_t* const is_inner = inner.values.data();
+        std::uint8_t* const furniture = cells.furniture.values.data();
         for (std::size_t i = first; i < last; ++i) {
-            std::uint8_t& furniture = cells.furniture.values[i];
-            if (furniture == 0 || inner.values[i] != 0) continue;
-            cells.ground.values[i] = furniture == kFurniture ? kWall : std::uint16_t{0};
-            furniture = 0;
+            if (furniture[i] == 0 || is_inner[i] != 0) continue;
+            cells.ground.values[i] = furniture[i] == kFurniture ? kWall : std::uint16_t{0};
+            furniture[i] = 0;
             any = true;
         }
     });
@@ -373,9 +377,11 @@ void hollow_out_blocks(Raster<std::uint16_t>& ground, std::int32_t max_wall_cell
     const Raster<std::uint8_t> deep =
         find_deep_parts(thick, std::max(max_wall_cells / 2, 1), executor);
     for_cells(executor, ground.values.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            if (deep.values[i] != 0) ground.values[i] = 0;
-        }
+        std::transform(deep.values.data() + first, deep.values.data() + last,
+                       ground.values.data() + first, ground.values.data() + first,
+                       [](std::uint8_t is_deep, std::uint16_t cell) {
+                           return is_deep != 0 ? std::uint16_t{0} : cell;
+                       });
     });
 }
 

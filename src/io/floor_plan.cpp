@@ -133,7 +133,7 @@ private:
     double resolution_m_;
 };
 
-/// The ground without what furniture stands on, and of each room the point farthest from all
+/// The rooms without what furniture stands on, and of each room the point farthest from all
 /// obstacles, in cells.
 struct BareFloor {
     Raster<std::uint16_t> ground;
@@ -151,24 +151,28 @@ BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms, const Exec
     Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
     constexpr std::size_t kCells = std::size_t{1} << 16U;
     parallel_for(executor, open.values.size(), kCells, [&](std::size_t first, std::size_t last) {
+        std::uint16_t* const ground = floor.ground.values.data();
+        std::uint8_t* const is_open = open.values.data();
+        const std::uint8_t* const furniture = cells.furniture.values.data();
         for (std::size_t i = first; i < last; ++i) {
-            std::uint16_t& ground = floor.ground.values[i];
-            if (cells.furniture.values[i] != 0) ground = kWall;
-            open.values[i] = ground > 0 && ground < kFirstNonRoom ? 1 : 0;
+            const bool is_bare = ground[i] < kFirstNonRoom && furniture[i] == 0;
+            ground[i] = is_bare ? ground[i] : std::uint16_t{0};
+            is_open[i] = std::uint8_t{ground[i] != 0};
         }
     });
     const Raster<float> clearance = clearance_m(open, 1.0, executor);
-    const auto keep = [](Innermost& most, const Innermost& other) {
-        if (other.clearance > most.clearance) most = other;
-    };
     const std::vector<Innermost> most = tally_by_label<Innermost>(
         floor.ground, executor,
         [&](Innermost& innermost, const LabelRun& run) {
-            for (std::size_t i = run.offset; i < run.offset + run.num_cells; ++i) {
-                keep(innermost, {clearance.values[i], i});
-            }
+            const float* const begin = clearance.values.data() + run.offset;
+            const float here = largest(begin, run.num_cells, innermost.clearance);
+            if (here <= innermost.clearance) return;
+            const auto place = std::find(begin, begin + run.num_cells, here) - begin;
+            innermost = {here, run.offset + static_cast<std::size_t>(place)};
         },
-        keep);
+        [](Innermost& into, const Innermost& other) {
+            if (other.clearance > into.clearance) into = other;
+        });
     for (std::size_t room = 1; room < most.size() && room <= num_rooms; ++room) {
         if (most[room].clearance == 0.0F) continue;
         const Cell cell = open.cell(most[room].place);

@@ -57,11 +57,12 @@ void keep_square_ends(Raster<std::uint8_t>& mask, std::int32_t side, const Execu
     });
     parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
         // The row of the last cell that is not set; as if rows of set cells came before.
-        std::vector<std::int32_t> last_unset(last - first, -side - 1);
+        std::vector<std::int32_t> columns(last - first, -side - 1);
+        std::int32_t* const last_unset = columns.data();
         for (std::int32_t y = 0; y < mask.height; ++y) {
             std::uint8_t* const row =
                 mask.values.data() + static_cast<std::size_t>(y) * width + first;
-            for (std::size_t x = 0; x < last_unset.size(); ++x) {
+            for (std::size_t x = 0; x < last - first; ++x) {
                 last_unset[x] = row[x] == 0 ? y : last_unset[x];
                 row[x] = y - last_unset[x] >= side ? 1 : 0;
             }
@@ -80,11 +81,12 @@ void fill_squares(Raster<std::uint8_t>& ends, std::int32_t side, const Executor&
         });
     });
     parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
-        std::vector<std::int32_t> next_set(last - first, ends.height + side);
+        std::vector<std::int32_t> columns(last - first, ends.height + side);
+        std::int32_t* const next_set = columns.data();
         for (std::int32_t y = ends.height - 1; y >= 0; --y) {
             std::uint8_t* const row =
                 ends.values.data() + static_cast<std::size_t>(y) * width + first;
-            for (std::size_t x = 0; x < next_set.size(); ++x) {
+            for (std::size_t x = 0; x < last - first; ++x) {
                 next_set[x] = row[x] != 0 ? y : next_set[x];
                 row[x] = next_set[x] - y < side ? 1 : 0;
             }
