@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
+#include <utility>
 
 namespace quadcut::io {
 namespace {
@@ -31,13 +31,21 @@ public:
           difference_(rows_.size() * static_cast<std::size_t>(width), 0.0F),
           changed_(rows_.size() * words_per_row_, 0) {}
 
-    void add(const Shape::Edge& edge) {
-        const bool down = edge.y0 < edge.y1;
-        const float x0 = down ? edge.x0 : edge.x1;
-        const float y0 = down ? edge.y0 : edge.y1;
-        const float y1 = down ? edge.y1 : edge.y0;
-        const float slope = down ? (edge.x1 - edge.x0) / (edge.y1 - edge.y0)
-                                 : (edge.x0 - edge.x1) / (edge.y0 - edge.y1);
+    [[nodiscard]] double top() const { return first_; }
+    [[nodiscard]] double bottom() const { return last_; }
+
+    /// A side of the area; it may lie anywhere.
+    void add(Point start, Point end) {
+        const auto start_y = static_cast<float>(start.y);
+        const auto end_y = static_cast<float>(end.y);
+        if (start_y == end_y) return;
+        const bool down = start_y < end_y;
+        const Point& upper = down ? start : end;
+        const Point& lower = down ? end : start;
+        const auto x0 = static_cast<float>(upper.x);
+        const auto y0 = static_cast<float>(upper.y);
+        const auto y1 = static_cast<float>(lower.y);
+        const float slope = (static_cast<float>(lower.x) - x0) / (y1 - y0);
         const float winding = down ? 1.0F : -1.0F;
         const auto band_top = static_cast<float>(first_);
         const auto band_bottom = static_cast<float>(last_);
@@ -174,42 +182,6 @@ void blend_span(std::uint8_t* to, std::size_t num_pixels, Rgb color, float share
     }
 }
 
-/// Of each band of `num_rows` rows, the edges that meet it, ascending; the last entry of `begin` is
-/// the number of all.
-struct EdgesOfBands {
-    std::vector<std::size_t> begin;
-    std::vector<std::uint32_t> edges;
-};
-
-EdgesOfBands sort_into_bands(const std::vector<Shape::Edge>& edges, std::size_t height,
-                             std::size_t num_rows) {
-    const std::size_t num_bands = (height + num_rows - 1) / num_rows;
-    const auto limit = static_cast<float>(height - 1);
-    const auto band_of = [&](float y) {
-        return static_cast<std::size_t>(std::clamp(y, 0.0F, limit)) / num_rows;
-    };
-    const auto for_each_band = [&](const auto& visit) {
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            const auto [low, high] = std::minmax(edges[i].y0, edges[i].y1);
-            const std::size_t last = band_of(high);
-            for (std::size_t band = band_of(low); band <= last; ++band) visit(band, i);
-        }
-    };
-    EdgesOfBands sorted;
-    sorted.begin.assign(num_bands + 2, 0);
-    // Two places ahead, so that filling the bands leaves the beginnings.
-    for_each_band([&](std::size_t band, std::size_t) { ++sorted.begin[band + 2]; });
-    for (std::size_t band = 2; band < sorted.begin.size(); ++band) {
-        sorted.begin[band] += sorted.begin[band - 1];
-    }
-    sorted.edges.resize(sorted.begin.back());
-    for_each_band([&](std::size_t band, std::size_t i) {
-        sorted.edges[sorted.begin[band + 1]++] = static_cast<std::uint32_t>(i);
-    });
-    sorted.begin.pop_back();
-    return sorted;
-}
-
 /// The corners of a disc around (0, 0).
 std::vector<Point> disc_corners(double radius) {
     constexpr int kFewest = 8;
@@ -222,35 +194,20 @@ std::vector<Point> disc_corners(double radius) {
     return corners;
 }
 
-}  // namespace
-
-void Shape::add_edge(Point from, Point to) {
-    const auto y0 = static_cast<float>(from.y);
-    const auto y1 = static_cast<float>(to.y);
-    if (y0 == y1) return;
-    edges_.push_back({static_cast<float>(from.x), y0, static_cast<float>(to.x), y1});
+/// Whether something between these two heights is in the band.
+bool meets(const CoverageBand& band, double y0, double y1) {
+    return std::max(y0, y1) >= band.top() && std::min(y0, y1) <= band.bottom();
 }
 
-void Shape::add_polygon(std::span<const Point> points) {
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) add_edge(points[i], points[i + 1]);
-    if (!points.empty()) add_edge(points.back(), points.front());
-}
-
-void Shape::add_discs(std::span<const Point> centers, double radius) {
-    const std::vector<Point> corners = disc_corners(radius);
-    for (const Point& center : centers) {
-        Point from{center.x + corners.back().x, center.y + corners.back().y};
-        for (const Point& corner : corners) {
-            const Point to{center.x + corner.x, center.y + corner.y};
-            add_edge(from, to);
-            from = to;
-        }
+void add_polygon(CoverageBand& band, std::span<const Point> points) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        if (meets(band, points[i].y, points[i + 1].y)) band.add(points[i], points[i + 1]);
     }
+    if (!points.empty()) band.add(points.back(), points.front());
 }
 
-void Shape::add_disc(Point center, double radius) { add_discs({&center, 1}, radius); }
-
-void Shape::add_segment(Point from, Point to, double width) {
+void add_segment(CoverageBand& band, Point from, Point to, double width) {
+    if (!meets(band, std::min(from.y, to.y) - width, std::max(from.y, to.y) + width)) return;
     const double dx = to.x - from.x;
     const double dy = to.y - from.y;
     const double length = std::sqrt(dx * dx + dy * dy);
@@ -262,48 +219,107 @@ void Shape::add_segment(Point from, Point to, double width) {
                                            {to.x - across_x, to.y - across_y},
                                            {to.x + across_x, to.y + across_y},
                                            {from.x + across_x, from.y + across_y}}};
-    add_polygon(corners);
+    add_polygon(band, corners);
 }
 
-void Shape::add_line(std::span<const Point> points, double width) {
-    add_discs(points, width / 2.0);
+void add_thick_line(CoverageBand& band, std::span<const Point> points, double width,
+                    bool is_closed) {
+    const std::vector<Point> corners = disc_corners(width / 2.0);
+    for (const Point& center : points) {
+        if (!meets(band, center.y - width, center.y + width)) continue;
+        Point from{center.x + corners.back().x, center.y + corners.back().y};
+        for (const Point& corner : corners) {
+            const Point to{center.x + corner.x, center.y + corner.y};
+            band.add(from, to);
+            from = to;
+        }
+    }
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        add_segment(points[i], points[i + 1], width);
+        add_segment(band, points[i], points[i + 1], width);
+    }
+    if (is_closed && points.size() > 2) add_segment(band, points.back(), points.front(), width);
+}
+
+void add_shape(CoverageBand& band, const Shape& shape) {
+    std::size_t begin = 0;
+    for (const Shape::Line& line : shape.lines()) {
+        const auto points = std::span(shape.points()).subspan(begin, line.end - begin);
+        begin = line.end;
+        if (!meets(band, line.top, line.bottom)) continue;
+        if (line.ink == Shape::Ink::inside) {
+            add_polygon(band, points);
+        } else {
+            add_thick_line(band, points, line.width, line.ink == Shape::Ink::closed_line);
+        }
     }
 }
 
+/// Whether the shape would be painted on nothing but its own colour, as the white around letters
+/// mostly is: then it need not be.
+bool is_on_its_color(const ImageBand& band, std::int32_t width, const Shape& shape, Rgb color) {
+    const auto column = [width](double x) {
+        return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(width)));
+    };
+    const auto row = [&band](double y) {
+        return static_cast<std::int32_t>(
+            std::clamp(y, static_cast<double>(band.first), static_cast<double>(band.last)));
+    };
+    const std::size_t left = column(shape.low().x - 1.0);
+    const std::size_t right = column(shape.high().x + 2.0);
+    const std::int32_t bottom = row(shape.high().y + 2.0);
+    for (std::int32_t y = row(shape.low().y - 1.0); y < bottom; ++y) {
+        const std::uint8_t* const pixels = band.row(y);
+        for (std::size_t i = kChannels * left; i < kChannels * right; i += kChannels) {
+            if (Rgb{pixels[i], pixels[i + 1], pixels[i + 2]} != color) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void Shape::add(std::span<const Point> points, Ink ink, double width) {
+    if (points.empty()) return;
+    Line line{points_.size() + points.size(), width, points[0].y, points[0].y, ink};
+    for (const Point& point : points) {
+        line.top = std::min(line.top, point.y - width);
+        line.bottom = std::max(line.bottom, point.y + width);
+        low_.x = std::min(low_.x, point.x - width);
+        high_.x = std::max(high_.x, point.x + width);
+    }
+    low_.y = std::min(low_.y, line.top);
+    high_.y = std::max(high_.y, line.bottom);
+    points_.insert(points_.end(), points.begin(), points.end());
+    lines_.push_back(line);
+}
+
+void Shape::add_polygon(std::span<const Point> points) { add(points, Ink::inside, 0.0); }
+
+void Shape::add_disc(Point center, double radius) { add_line({&center, 1}, 2.0 * radius); }
+
+void Shape::add_line(std::span<const Point> points, double width) { add(points, Ink::line, width); }
+
 void Shape::add_closed_line(std::span<const Point> points, double width) {
-    add_line(points, width);
-    if (points.size() > 2) add_segment(points.back(), points.front(), width);
+    add(points, Ink::closed_line, width);
 }
 
 Canvas::Canvas(std::int32_t width, std::int32_t height, Rgb paper)
     : width_(width), height_(height), paper_(paper) {}
 
-void Canvas::fill(const Shape& shape, Rgb color, double opacity) {
-    const auto right = static_cast<float>(width_);
-    const auto bottom = static_cast<float>(height_);
-    for (const Shape::Edge& edge : shape.edges()) {
-        const bool outside = std::max(edge.y0, edge.y1) <= 0.0F ||
-                             std::min(edge.y0, edge.y1) >= bottom ||
-                             std::min(edge.x0, edge.x1) >= right;
-        if (!outside) edges_.push_back(edge);
-    }
-    if (edges_.size() > std::numeric_limits<std::uint32_t>::max()) {
-        throw std::logic_error("Canvas: too many edges");
-    }
-    layers_.push_back({edges_.size(), color, static_cast<float>(opacity)});
+void Canvas::fill(Shape shape, Rgb color, double opacity) {
+    layers_.push_back({std::move(shape), color, static_cast<float>(opacity)});
 }
 
-void Canvas::paint(std::span<const std::uint32_t> edges, const ImageBand& band) const {
+void Canvas::paint(const ImageBand& band) const {
     const auto width = static_cast<std::size_t>(width_);
     for (std::int32_t y = band.first; y < band.last; ++y) fill_span(band.row(y), width, paper_);
     CoverageBand coverage(width_, band.first, band.last);
-    auto edge = edges.begin();
     for (const Layer& layer : layers_) {
-        if (edge == edges.end()) break;
-        if (*edge >= layer.end) continue;
-        for (; edge != edges.end() && *edge < layer.end; ++edge) coverage.add(edges_[*edge]);
+        if (!meets(coverage, layer.shape.low().y, layer.shape.high().y) ||
+            is_on_its_color(band, width_, layer.shape, layer.color)) {
+            continue;
+        }
+        add_shape(coverage, layer.shape);
         coverage.flush([&](std::int32_t y, std::size_t begin, std::size_t end, float covered) {
             constexpr float kWhole = 0.998F;
             const float share = covered * layer.opacity;
@@ -318,28 +334,16 @@ void Canvas::paint(std::span<const std::uint32_t> edges, const ImageBand& band) 
 }
 
 Rgb Canvas::at(std::int32_t x, std::int32_t y) const {
-    std::vector<std::uint32_t> edges(edges_.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) edges[i] = static_cast<std::uint32_t>(i);
     std::vector<std::uint8_t> row(kChannels * static_cast<std::size_t>(width_));
-    paint(edges, {y, y + 1, row.data(), row.size()});
+    paint({y, y + 1, row.data(), row.size()});
     const std::uint8_t* const pixel = row.data() + kChannels * static_cast<std::size_t>(x);
     return {pixel[0], pixel[1], pixel[2]};
 }
 
 std::string Canvas::encode_png(const Executor& executor) const {
-    const auto height = static_cast<std::size_t>(height_);
     const ImageHeader header{width_, height_, static_cast<int>(kChannels), 255};
-    const std::size_t num_rows = rows_per_band(header);
-    const EdgesOfBands sorted = sort_into_bands(edges_, height, num_rows);
     return encode_png_bands(
-        header,
-        [&](const ImageBand& band) {
-            const std::size_t place = static_cast<std::size_t>(band.first) / num_rows;
-            paint(std::span(sorted.edges)
-                      .subspan(sorted.begin[place], sorted.begin[place + 1] - sorted.begin[place]),
-                  band);
-        },
-        executor);
+        header, [this](const ImageBand& band) { paint(band); }, executor);
 }
 
 }  // namespace quadcut::io

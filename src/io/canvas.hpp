@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,21 +28,31 @@ public:
     void add_closed_line(std::span<const Point> points, double width);
     void add_disc(Point center, double radius);
 
-    /// A side of the area that is not level, from (x0, y0) to (x1, y1).
-    struct Edge {
-        float x0 = 0.0F;
-        float y0 = 0.0F;
-        float x1 = 0.0F;
-        float y1 = 0.0F;
+    /// What a line encloses, or the line itself, as thick as it is.
+    enum class Ink : std::uint8_t { inside, line, closed_line };
+
+    /// The points of a line end at `end`, and begin where those of the line before do.
+    struct Line {
+        std::size_t end = 0;
+        double width = 0.0;
+        /// The rows it reaches over, at most.
+        double top = 0.0;
+        double bottom = 0.0;
+        Ink ink = Ink::inside;
     };
-    [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+    [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+    [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+    /// The corner of the shape's box with the least coordinates, and the opposite one.
+    [[nodiscard]] Point low() const { return low_; }
+    [[nodiscard]] Point high() const { return high_; }
 
 private:
-    void add_edge(Point from, Point to);
-    void add_discs(std::span<const Point> centers, double radius);
-    void add_segment(Point from, Point to, double width);
+    void add(std::span<const Point> points, Ink ink, double width);
 
-    std::vector<Edge> edges_;
+    std::vector<Line> lines_;
+    std::vector<Point> points_;
+    Point low_{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    Point high_{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
 };
 
 /// A picture that areas are painted on, with smooth edges: each pixel takes the colour by the share
@@ -57,26 +69,23 @@ public:
     [[nodiscard]] Rgb at(std::int32_t x, std::int32_t y) const;
 
     /// What lies outside of the page is cut off.
-    void fill(const Shape& shape, Rgb color, double opacity = 1.0);
+    void fill(Shape shape, Rgb color, double opacity = 1.0);
 
-    /// 8-bit RGB. O(edges + pixels); the same bytes on any number of threads.
+    /// 8-bit RGB. O(lines + pixels); the same bytes on any number of threads.
     [[nodiscard]] std::string encode_png(const Executor& executor = {}) const;
 
 private:
-    /// An area painted with one colour: its edges end at `end`, and begin where those before do.
     struct Layer {
-        std::size_t end = 0;
+        Shape shape;
         Rgb color;
         float opacity = 1.0F;
     };
 
-    /// `edges`: ascending places of those that the band meets.
-    void paint(std::span<const std::uint32_t> edges, const ImageBand& band) const;
+    void paint(const ImageBand& band) const;
 
     std::int32_t width_;
     std::int32_t height_;
     Rgb paper_;
-    std::vector<Shape::Edge> edges_;
     std::vector<Layer> layers_;
 };
 

@@ -84,8 +84,6 @@ using ImageBandSource = std::function<void(const ImageBand& band)>;
 /// About 2 ns a sample. @pre max_value is 255 or 65535, width and height are positive.
 [[nodiscard]] std::string encode_png(const ImageHeader& header, const ImageRowSource& source,
                                      const Executor& executor = {});
-/// How many rows its bands have: 64, or fewer if they are very long.
-[[nodiscard]] std::size_t rows_per_band(const ImageHeader& header);
 /// The same where rows are made several at a time, into bytes that are 0.
 [[nodiscard]] std::string encode_png_bands(const ImageHeader& header, const ImageBandSource& source,
                                            const Executor& executor = {});

@@ -107,11 +107,11 @@ std::size_t row_bytes_of(const ImageHeader& header) {
     return 1 + header.row_samples() * (header.max_value == kMaxWord ? 2 : 1);
 }
 
-}  // namespace
-
 std::size_t rows_per_band(const ImageHeader& header) {
     return std::clamp<std::size_t>(kMostBandBytes / row_bytes_of(header), 1, kRowsPerBand);
 }
+
+}  // namespace
 
 std::string encode_png_bands(const ImageHeader& header, const ImageBandSource& source,
                              const Executor& executor) {
