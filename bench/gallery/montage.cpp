@@ -23,11 +23,11 @@ constexpr std::size_t kColumns = 2;
 
 void fill_cells(io::Canvas& canvas, const GridMap& map, const io::FloorPlan& plan, CellState state,
                 io::Rgb ink) {
-    Raster<std::uint32_t> cells(map.states.origin, map.states.width, map.states.height);
+    Raster<std::uint8_t> cells(map.states.origin, map.states.width, map.states.height);
     std::transform(map.states.values.begin(), map.states.values.end(), cells.values.begin(),
-                   [state](CellState cell) { return cell == state ? 1U : 0U; });
+                   [state](CellState cell) { return std::uint8_t{cell == state}; });
     io::Shape shape;
-    for (const io::RegionOutline& region : io::trace_outlines(std::move(cells))) {
+    for (const io::RegionOutline& region : io::trace_outlines(cells)) {
         for (const io::OutlineRing& ring : region.rings) {
             std::vector<Point> points;
             for (const Cell corner : io::corners_of(ring)) {
@@ -37,7 +37,7 @@ void fill_cells(io::Canvas& canvas, const GridMap& map, const io::FloorPlan& pla
             shape.add_polygon(points);
         }
     }
-    canvas.fill(shape, ink);
+    canvas.fill(std::move(shape), ink);
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ PairPicture::Pane PairPicture::make_pane(const Side& side, const std::vector<io:
     pane.plan.labels.clear();
     pane.plan.scale_bar.length = 0.0;
     const Raster<std::uint16_t>& labels = side.rooms.labels;
-    pane.ground = Raster<std::uint32_t>(labels.origin, labels.width, labels.height);
+    pane.ground = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
     std::copy(labels.values.begin(), labels.values.end(), pane.ground.values.begin());
     return pane;
 }
@@ -177,7 +177,7 @@ void PairPicture::draw(io::Canvas& canvas, const Point& origin, double pixels_pe
             borders.add_closed_line(polygon, kTruthLine);
         }
     }
-    canvas.fill(borders, io::kWallInk);
+    canvas.fill(std::move(borders), io::kWallInk);
     draw_errors(canvas, truth_, truth, origin, pixels_per_cell, typeface);
     draw_errors(canvas, result_, result, right, pixels_per_cell, typeface);
 }
@@ -197,7 +197,7 @@ void PairPicture::draw_errors(io::Canvas& canvas, const Pane& pane, const io::Fl
             outline.add_closed_line(polygon, kOutline);
         }
         canvas.fill(hatch(polygons, kHatchSpacing, kHatchLine), kErrorInk, 0.7);
-        canvas.fill(outline, kErrorInk);
+        canvas.fill(std::move(outline), kErrorInk);
     }
     for (const io::LabelText& error : pane.errors) {
         const auto label = io::place_label(error, pane.ground, scale, 1.0, typeface);

@@ -40,7 +40,7 @@ private:
     struct Pane {
         io::FloorPlan plan;
         std::vector<io::LabelText> errors;
-        Raster<std::uint32_t> ground;
+        Raster<std::uint16_t> ground;
     };
     [[nodiscard]] static Pane make_pane(const Side& side, const std::vector<io::Rgb>& colors,
                                         const std::vector<std::string>& words);

@@ -6,26 +6,82 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numbers>
-
-#include "io/image.hpp"
+#include <utility>
 
 namespace quadcut::io {
 namespace {
 
-/// The coverage of one row of pixels, as differences along the row: an edge adds to the pixels it
-/// crosses, and every pixel to its right inherits the sum. Few pixels of a row differ from the one
-/// before, so these are marked, and the rest is painted in spans.
-class CoverageRow {
-public:
-    explicit CoverageRow(std::int32_t width)
-        : width_(width),
-          difference_(static_cast<std::size_t>(width), 0.0F),
-          changed_(static_cast<std::size_t>(width) / kBitsPerWord + 1, 0) {}
+constexpr std::size_t kChannels = 3;
+constexpr std::size_t kBitsPerWord = 64;
 
-    /// The part of an edge within this row: x at its upper and lower end, and its height (0..1)
-    /// with the winding's sign.
-    void add(float x_top, float x_bottom, float height) {
+/// The coverage of a band of rows of pixels, as differences along each row: an edge adds to the
+/// pixels it crosses, and every pixel to its right inherits the sum. Few pixels of a row differ
+/// from the one before, so these are marked, and the rest is painted in spans.
+class CoverageBand {
+public:
+    CoverageBand(std::int32_t width, std::int32_t first, std::int32_t last)
+        : width_(width),
+          first_(first),
+          last_(last),
+          words_per_row_(static_cast<std::size_t>(width) / kBitsPerWord + 1),
+          rows_(static_cast<std::size_t>(last - first)),
+          difference_(rows_.size() * static_cast<std::size_t>(width), 0.0F),
+          changed_(rows_.size() * words_per_row_, 0) {}
+
+    [[nodiscard]] double top() const { return first_; }
+    [[nodiscard]] double bottom() const { return last_; }
+
+    /// A side of the area; it may lie anywhere.
+    void add(Point start, Point end) {
+        const auto start_y = static_cast<float>(start.y);
+        const auto end_y = static_cast<float>(end.y);
+        if (start_y == end_y) return;
+        const bool down = start_y < end_y;
+        const Point& upper = down ? start : end;
+        const Point& lower = down ? end : start;
+        const auto x0 = static_cast<float>(upper.x);
+        const auto y0 = static_cast<float>(upper.y);
+        const auto y1 = static_cast<float>(lower.y);
+        const float slope = (static_cast<float>(lower.x) - x0) / (y1 - y0);
+        const float winding = down ? 1.0F : -1.0F;
+        const auto band_top = static_cast<float>(first_);
+        const auto band_bottom = static_cast<float>(last_);
+        auto y = static_cast<std::int32_t>(std::clamp(y0, band_top, band_bottom));
+        for (; y < last_; ++y) {
+            const auto top = static_cast<float>(y);
+            const float from = std::max(y0, top);
+            const float to = std::min(y1, top + 1.0F);
+            if (to <= from) break;
+            add(static_cast<std::size_t>(y - first_), x0 + slope * (from - y0),
+                x0 + slope * (to - y0), winding * (to - from));
+        }
+    }
+
+    /// Calls `paint(y, begin, end, coverage)` for each span of row y, pixels begin .. end - 1, that
+    /// is covered, and clears the band.
+    template <typename Paint>
+    void flush(const Paint& paint) {
+        for (std::int32_t y = first_; y < last_; ++y) {
+            Row& row = rows_[static_cast<std::size_t>(y - first_)];
+            if (row.low > row.high) continue;
+            flush_row(y, row, paint);
+            row = {};
+        }
+    }
+
+private:
+    /// Which words of the marks of a row are not 0, at most.
+    struct Row {
+        std::size_t low = std::numeric_limits<std::size_t>::max();
+        std::size_t high = 0;
+    };
+
+    /// The part of an edge within a row: x at its upper and lower end, and its height (0..1) with
+    /// the sign of its winding.
+    void add(std::size_t row, float x_top, float x_bottom, float height) {
         const auto limit = static_cast<float>(width_);
         const float left = std::clamp(std::min(x_top, x_bottom), 0.0F, limit);
         const float right = std::clamp(std::max(x_top, x_bottom), 0.0F, limit);
@@ -34,8 +90,8 @@ public:
         if (first == last) {
             // The pixel's share to the right of the edge is a trapezoid; those beyond are covered.
             const float inside = static_cast<float>(first) + 1.0F - 0.5F * (left + right);
-            add_at(first, height * inside);
-            add_at(first + 1, height * (1.0F - inside));
+            add_at(row, first, height * inside);
+            add_at(row, first + 1, height * (1.0F - inside));
             return;
         }
         const float per_pixel = height / (right - left);
@@ -47,175 +103,247 @@ public:
             const float crossed = per_pixel * (to - from);
             const float inside =
                 covered + crossed * (static_cast<float>(x) + 1.0F - 0.5F * (from + to));
-            add_at(x, inside - previous);
+            add_at(row, x, inside - previous);
             previous = inside;
             covered += crossed;
         }
-        add_at(last + 1, height - previous);
+        add_at(row, last + 1, height - previous);
     }
 
-    /// Calls `paint(first, last, coverage)` for each span first .. last - 1 that is covered, and
-    /// clears the row.
+    void add_at(std::size_t row, std::int32_t column, float value) {
+        if (column >= width_) return;
+        const auto x = static_cast<std::size_t>(column);
+        const std::size_t word = x / kBitsPerWord;
+        difference_[row * static_cast<std::size_t>(width_) + x] += value;
+        changed_[row * words_per_row_ + word] |= std::uint64_t{1} << (x % kBitsPerWord);
+        rows_[row].low = std::min(rows_[row].low, word);
+        rows_[row].high = std::max(rows_[row].high, word);
+    }
+
     template <typename Paint>
-    void flush(const Paint& paint) {
+    void flush_row(std::int32_t y, const Row& row, const Paint& paint) {
         constexpr float kLeast = 1.0F / 512.0F;
+        const auto place = static_cast<std::size_t>(y - first_);
+        float* const difference = difference_.data() + place * static_cast<std::size_t>(width_);
+        std::uint64_t* const changed = changed_.data() + place * words_per_row_;
         float coverage = 0.0F;
         float sum = 0.0F;
-        std::int32_t span_begin = 0;
-        for (std::size_t word = 0; word < changed_.size(); ++word) {
-            for (; changed_[word] != 0; changed_[word] &= changed_[word] - 1) {
-                const auto x = static_cast<std::int32_t>(
-                    word * kBitsPerWord +
-                    static_cast<std::size_t>(std::countr_zero(changed_[word])));
-                if (coverage > kLeast) paint(span_begin, x, coverage);
-                float& step = difference_[static_cast<std::size_t>(x)];
-                sum += step;
-                step = 0.0F;
+        std::size_t span_begin = 0;
+        for (std::size_t word = row.low; word <= row.high; ++word) {
+            for (; changed[word] != 0; changed[word] &= changed[word] - 1) {
+                const std::size_t x =
+                    word * kBitsPerWord + static_cast<std::size_t>(std::countr_zero(changed[word]));
+                if (coverage > kLeast) paint(y, span_begin, x, coverage);
+                sum += difference[x];
+                difference[x] = 0.0F;
                 coverage = std::min(std::abs(sum), 1.0F);
                 span_begin = x;
             }
         }
-        if (coverage > kLeast) paint(span_begin, width_, coverage);
+        if (coverage > kLeast) paint(y, span_begin, static_cast<std::size_t>(width_), coverage);
     }
-
-private:
-    void add_at(std::int32_t x, float value) {
-        if (x >= width_) return;
-        difference_[static_cast<std::size_t>(x)] += value;
-        changed_[static_cast<std::size_t>(x) / kBitsPerWord] |=
-            std::uint64_t{1} << (static_cast<std::size_t>(x) % kBitsPerWord);
-    }
-
-    static constexpr std::size_t kBitsPerWord = 64;
 
     std::int32_t width_;
+    std::int32_t first_;
+    std::int32_t last_;
+    std::size_t words_per_row_;
+    std::vector<Row> rows_;
     std::vector<float> difference_;
     /// A bit for each pixel: whether its difference was changed.
     std::vector<std::uint64_t> changed_;
 };
 
-Rgb blended(Rgb under, Rgb over, float share) {
-    const auto channel = [share](std::uint8_t below, std::uint8_t above) {
-        const float level = static_cast<float>(below) +
-                            share * (static_cast<float>(above) - static_cast<float>(below));
-        return static_cast<std::uint8_t>(std::lround(level));
-    };
-    return {channel(under.red, over.red), channel(under.green, over.green),
-            channel(under.blue, over.blue)};
-}
-
-}  // namespace
-
-void Shape::add_edge(Point from, Point to) {
-    const auto x0 = static_cast<float>(from.x);
-    const auto y0 = static_cast<float>(from.y);
-    const auto x1 = static_cast<float>(to.x);
-    const auto y1 = static_cast<float>(to.y);
-    if (y0 < y1) edges_.push_back({x0, y0, x1, y1, 1.0F});
-    if (y1 < y0) edges_.push_back({x1, y1, x0, y0, -1.0F});
-}
-
-void Shape::add_polygon(std::span<const Point> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        add_edge(points[i], points[(i + 1) % points.size()]);
+void fill_span(std::uint8_t* to, std::size_t num_pixels, Rgb color) {
+    constexpr std::size_t kSeed = 16;
+    const std::size_t num_seeds = std::min(num_pixels, kSeed);
+    for (std::size_t i = 0; i < num_seeds; ++i) {
+        to[kChannels * i] = color.red;
+        to[kChannels * i + 1] = color.green;
+        to[kChannels * i + 2] = color.blue;
+    }
+    // What is there is doubled.
+    const std::size_t num_bytes = kChannels * num_pixels;
+    for (std::size_t done = kChannels * num_seeds; done < num_bytes;) {
+        const std::size_t more = std::min(done, num_bytes - done);
+        std::memcpy(to + done, to, more);
+        done += more;
     }
 }
 
-void Shape::add_disc(Point center, double radius) {
+void blend_span(std::uint8_t* to, std::size_t num_pixels, Rgb color, float share) {
+    const std::array<float, kChannels> over = {static_cast<float>(color.red),
+                                               static_cast<float>(color.green),
+                                               static_cast<float>(color.blue)};
+    for (std::size_t i = 0; i < num_pixels; ++i) {
+        for (const float above : over) {
+            const auto below = static_cast<float>(*to);
+            *to++ = static_cast<std::uint8_t>(below + share * (above - below) + 0.5F);
+        }
+    }
+}
+
+/// The corners of a disc around (0, 0).
+std::vector<Point> disc_corners(double radius) {
     constexpr int kFewest = 8;
     const int num_corners = std::max(kFewest, static_cast<int>(std::ceil(4.0 * std::sqrt(radius))));
     std::vector<Point> corners;
     for (int i = 0; i < num_corners; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / num_corners;
-        corners.push_back(
-            {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
+        corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
-    add_polygon(corners);
+    return corners;
 }
 
-void Shape::add_segment(Point from, Point to, double width) {
-    const double length = distance(from, to);
+/// Whether something between these two heights is in the band.
+bool meets(const CoverageBand& band, double y0, double y1) {
+    return std::max(y0, y1) >= band.top() && std::min(y0, y1) <= band.bottom();
+}
+
+void add_polygon(CoverageBand& band, std::span<const Point> points) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        if (meets(band, points[i].y, points[i + 1].y)) band.add(points[i], points[i + 1]);
+    }
+    if (!points.empty()) band.add(points.back(), points.front());
+}
+
+void add_segment(CoverageBand& band, Point from, Point to, double width) {
+    if (!meets(band, std::min(from.y, to.y) - width, std::max(from.y, to.y) + width)) return;
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
     if (length == 0.0) return;
-    const double across_x = -(to.y - from.y) / length * width / 2.0;
-    const double across_y = (to.x - from.x) / length * width / 2.0;
+    const double across_x = -dy / length * width / 2.0;
+    const double across_y = dx / length * width / 2.0;
     // The same way round as a disc, so that they add up where they overlap.
     const std::array<Point, 4> corners = {{{from.x - across_x, from.y - across_y},
                                            {to.x - across_x, to.y - across_y},
                                            {to.x + across_x, to.y + across_y},
                                            {from.x + across_x, from.y + across_y}}};
-    add_polygon(corners);
+    add_polygon(band, corners);
 }
 
-void Shape::add_line(std::span<const Point> points, double width) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        add_disc(points[i], width / 2.0);
-        if (i + 1 < points.size()) add_segment(points[i], points[i + 1], width);
+void add_thick_line(CoverageBand& band, std::span<const Point> points, double width,
+                    bool is_closed) {
+    const std::vector<Point> corners = disc_corners(width / 2.0);
+    for (const Point& center : points) {
+        if (!meets(band, center.y - width, center.y + width)) continue;
+        Point from{center.x + corners.back().x, center.y + corners.back().y};
+        for (const Point& corner : corners) {
+            const Point to{center.x + corner.x, center.y + corner.y};
+            band.add(from, to);
+            from = to;
+        }
+    }
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        add_segment(band, points[i], points[i + 1], width);
+    }
+    if (is_closed && points.size() > 2) add_segment(band, points.back(), points.front(), width);
+}
+
+void add_shape(CoverageBand& band, const Shape& shape) {
+    std::size_t begin = 0;
+    for (const Shape::Line& line : shape.lines()) {
+        const auto points = std::span(shape.points()).subspan(begin, line.end - begin);
+        begin = line.end;
+        if (!meets(band, line.top, line.bottom)) continue;
+        if (line.ink == Shape::Ink::inside) {
+            add_polygon(band, points);
+        } else {
+            add_thick_line(band, points, line.width, line.ink == Shape::Ink::closed_line);
+        }
     }
 }
 
+/// Whether the shape would be painted on nothing but its own colour, as the white around letters
+/// mostly is: then it need not be.
+bool is_on_its_color(const ImageBand& band, std::int32_t width, const Shape& shape, Rgb color) {
+    const auto column = [width](double x) {
+        return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(width)));
+    };
+    const auto row = [&band](double y) {
+        return static_cast<std::int32_t>(
+            std::clamp(y, static_cast<double>(band.first), static_cast<double>(band.last)));
+    };
+    const std::size_t left = column(shape.low().x - 1.0);
+    const std::size_t right = column(shape.high().x + 2.0);
+    const std::int32_t bottom = row(shape.high().y + 2.0);
+    for (std::int32_t y = row(shape.low().y - 1.0); y < bottom; ++y) {
+        const std::uint8_t* const pixels = band.row(y);
+        for (std::size_t i = kChannels * left; i < kChannels * right; i += kChannels) {
+            if (Rgb{pixels[i], pixels[i + 1], pixels[i + 2]} != color) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void Shape::add(std::span<const Point> points, Ink ink, double width) {
+    if (points.empty()) return;
+    Line line{points_.size() + points.size(), width, points[0].y, points[0].y, ink};
+    for (const Point& point : points) {
+        line.top = std::min(line.top, point.y - width);
+        line.bottom = std::max(line.bottom, point.y + width);
+        low_.x = std::min(low_.x, point.x - width);
+        high_.x = std::max(high_.x, point.x + width);
+    }
+    low_.y = std::min(low_.y, line.top);
+    high_.y = std::max(high_.y, line.bottom);
+    points_.insert(points_.end(), points.begin(), points.end());
+    lines_.push_back(line);
+}
+
+void Shape::add_polygon(std::span<const Point> points) { add(points, Ink::inside, 0.0); }
+
+void Shape::add_disc(Point center, double radius) { add_line({&center, 1}, 2.0 * radius); }
+
+void Shape::add_line(std::span<const Point> points, double width) { add(points, Ink::line, width); }
+
 void Shape::add_closed_line(std::span<const Point> points, double width) {
-    add_line(points, width);
-    if (points.size() > 2) add_segment(points.back(), points.front(), width);
+    add(points, Ink::closed_line, width);
 }
 
 Canvas::Canvas(std::int32_t width, std::int32_t height, Rgb paper)
-    : width_(width),
-      height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper) {}
+    : width_(width), height_(height), paper_(paper) {}
 
-void Canvas::fill(const Shape& shape, Rgb color, double opacity) {
-    std::vector<Shape::Edge> waiting = shape.edges();
-    // Last row first, so that the next edge to begin is at the back.
-    std::sort(waiting.begin(), waiting.end(),
-              [](const Shape::Edge& a, const Shape::Edge& b) { return a.y0 > b.y0; });
-    std::vector<Shape::Edge> active;
-    CoverageRow row(width_);
-    const auto solid = static_cast<float>(opacity);
-    const float first =
-        waiting.empty() ? 0.0F : std::clamp(waiting.back().y0, 0.0F, static_cast<float>(height_));
-    auto y = static_cast<std::int32_t>(first);
-    for (; y < height_ && !(waiting.empty() && active.empty()); ++y) {
-        const auto top = static_cast<float>(y);
-        const float bottom = top + 1.0F;
-        while (!waiting.empty() && waiting.back().y0 < bottom) {
-            active.push_back(waiting.back());
-            waiting.pop_back();
+void Canvas::fill(Shape shape, Rgb color, double opacity) {
+    layers_.push_back({std::move(shape), color, static_cast<float>(opacity)});
+}
+
+void Canvas::paint(const ImageBand& band) const {
+    const auto width = static_cast<std::size_t>(width_);
+    for (std::int32_t y = band.first; y < band.last; ++y) fill_span(band.row(y), width, paper_);
+    CoverageBand coverage(width_, band.first, band.last);
+    for (const Layer& layer : layers_) {
+        if (!meets(coverage, layer.shape.low().y, layer.shape.high().y) ||
+            is_on_its_color(band, width_, layer.shape, layer.color)) {
+            continue;
         }
-        for (const Shape::Edge& edge : active) {
-            const float from = std::max(edge.y0, top);
-            const float to = std::min(edge.y1, bottom);
-            if (to <= from) continue;
-            const float slope = (edge.x1 - edge.x0) / (edge.y1 - edge.y0);
-            row.add(edge.x0 + slope * (from - edge.y0), edge.x0 + slope * (to - edge.y0),
-                    edge.winding * (to - from));
-        }
-        std::erase_if(active, [bottom](const Shape::Edge& edge) { return edge.y1 <= bottom; });
-        Rgb* const pixels = pixels_.data() + offset(0, y);
-        row.flush([&](std::int32_t begin, std::int32_t end, float coverage) {
+        add_shape(coverage, layer.shape);
+        coverage.flush([&](std::int32_t y, std::size_t begin, std::size_t end, float covered) {
             constexpr float kWhole = 0.998F;
-            const float share = coverage * solid;
+            const float share = covered * layer.opacity;
+            std::uint8_t* const to = band.row(y) + kChannels * begin;
             if (share > kWhole) {
-                std::fill(pixels + begin, pixels + end, color);
+                fill_span(to, end - begin, layer.color);
             } else {
-                std::transform(pixels + begin, pixels + end, pixels + begin,
-                               [&](Rgb under) { return blended(under, color, share); });
+                blend_span(to, end - begin, layer.color, share);
             }
         });
     }
 }
 
-std::string Canvas::encode_png() const {
-    constexpr int kChannels = 3;
-    const ImageHeader header{width_, height_, kChannels, 255};
-    return io::encode_png(header, [this](std::int32_t y, std::span<std::uint16_t> samples) {
-        for (std::int32_t x = 0; x < width_; ++x) {
-            const Rgb color = at(x, y);
-            const std::size_t first = static_cast<std::size_t>(x) * kChannels;
-            samples[first] = color.red;
-            samples[first + 1] = color.green;
-            samples[first + 2] = color.blue;
-        }
-    });
+Rgb Canvas::at(std::int32_t x, std::int32_t y) const {
+    std::vector<std::uint8_t> row(kChannels * static_cast<std::size_t>(width_));
+    paint({y, y + 1, row.data(), row.size()});
+    const std::uint8_t* const pixel = row.data() + kChannels * static_cast<std::size_t>(x);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+std::string Canvas::encode_png(const Executor& executor) const {
+    const ImageHeader header{width_, height_, static_cast<int>(kChannels), 255};
+    return encode_png_bands(
+        header, [this](const ImageBand& band) { paint(band); }, executor);
 }
 
 }  // namespace quadcut::io

@@ -2,13 +2,17 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/image.hpp"
 #include "io/palette.hpp"
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/base/parallel.hpp"
 
 namespace quadcut::io {
 
@@ -24,26 +28,36 @@ public:
     void add_closed_line(std::span<const Point> points, double width);
     void add_disc(Point center, double radius);
 
-    /// A side of the area that is not level: from (x0, y0) down to (x1, y1), y0 < y1.
-    struct Edge {
-        float x0 = 0.0F;
-        float y0 = 0.0F;
-        float x1 = 0.0F;
-        float y1 = 0.0F;
-        /// +1 if the line was given downwards, -1 if upwards.
-        float winding = 1.0F;
+    /// What a line encloses, or the line itself, as thick as it is.
+    enum class Ink : std::uint8_t { inside, line, closed_line };
+
+    /// The points of a line end at `end`, and begin where those of the line before do.
+    struct Line {
+        std::size_t end = 0;
+        double width = 0.0;
+        /// The rows it reaches over, at most.
+        double top = 0.0;
+        double bottom = 0.0;
+        Ink ink = Ink::inside;
     };
-    [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+    [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+    [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+    /// The corner of the shape's box with the least coordinates, and the opposite one.
+    [[nodiscard]] Point low() const { return low_; }
+    [[nodiscard]] Point high() const { return high_; }
 
 private:
-    void add_edge(Point from, Point to);
-    void add_segment(Point from, Point to, double width);
+    void add(std::span<const Point> points, Ink ink, double width);
 
-    std::vector<Edge> edges_;
+    std::vector<Line> lines_;
+    std::vector<Point> points_;
+    Point low_{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    Point high_{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
 };
 
 /// A picture that areas are painted on, with smooth edges: each pixel takes the colour by the share
-/// of it that the area covers.
+/// of it that the area covers. What is painted is kept as lines, and becomes pixels, a band of rows
+/// at a time, when it is encoded: a whole page of pixels never lies in memory.
 class Canvas {
 public:
     /// @pre width and height are positive.
@@ -51,23 +65,28 @@ public:
 
     [[nodiscard]] std::int32_t width() const { return width_; }
     [[nodiscard]] std::int32_t height() const { return height_; }
-    [[nodiscard]] Rgb at(std::int32_t x, std::int32_t y) const { return pixels_[offset(x, y)]; }
+    /// Paints the whole row: for a look at a few pixels.
+    [[nodiscard]] Rgb at(std::int32_t x, std::int32_t y) const;
 
-    /// What lies outside of the page is cut off. O(edges log edges + pixels between them).
-    void fill(const Shape& shape, Rgb color, double opacity = 1.0);
+    /// What lies outside of the page is cut off.
+    void fill(Shape shape, Rgb color, double opacity = 1.0);
 
-    /// 8-bit RGB.
-    [[nodiscard]] std::string encode_png() const;
+    /// 8-bit RGB. O(lines + pixels); the same bytes on any number of threads.
+    [[nodiscard]] std::string encode_png(const Executor& executor = {}) const;
 
 private:
-    [[nodiscard]] std::size_t offset(std::int32_t x, std::int32_t y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-               static_cast<std::size_t>(x);
-    }
+    struct Layer {
+        Shape shape;
+        Rgb color;
+        float opacity = 1.0F;
+    };
+
+    void paint(const ImageBand& band) const;
 
     std::int32_t width_;
     std::int32_t height_;
-    std::vector<Rgb> pixels_;
+    Rgb paper_;
+    std::vector<Layer> layers_;
 };
 
 }  // namespace quadcut::io

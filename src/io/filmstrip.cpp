@@ -81,10 +81,10 @@ void draw_moment(Canvas& canvas, const Moment& moment, const Panel& panel,
     if (way.empty()) return;
     Shape line;
     line.add_line(way, 1.5);
-    canvas.fill(line, kWayInk, 0.6);
+    canvas.fill(std::move(line), kWayInk, 0.6);
     Shape robot;
     robot.add_disc(way.back(), 6.0);
-    canvas.fill(robot, kWayInk);
+    canvas.fill(std::move(robot), kWayInk);
 }
 
 }  // namespace

@@ -3,11 +3,16 @@
 #include "io/floor_cells.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstring>
+#include <functional>
+#include <utility>
 #include <vector>
 
-#include "io/connected_cells.hpp"
 #include "io/thick_parts.hpp"
+#include "quadcut/map/connected_parts.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -43,11 +48,17 @@ struct Bounds {
 template <typename Wanted>
 Bounds bounds_of(const Raster<CellState>& states, const Wanted& wanted) {
     Bounds bounds;
-    std::size_t place = 0;
     for (std::int32_t y = 0; y < states.height; ++y) {
-        for (std::int32_t x = 0; x < states.width; ++x, ++place) {
-            if (wanted(place)) bounds.add(x, y);
-        }
+        const std::size_t row =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(states.width);
+        const auto at = [&](std::int32_t x) { return wanted(row + static_cast<std::size_t>(x)); };
+        std::int32_t first = 0;
+        while (first < states.width && !at(first)) ++first;
+        if (first == states.width) continue;
+        std::int32_t last = states.width - 1;
+        while (!at(last)) --last;
+        bounds.add(first, y);
+        bounds.add(last, y);
     }
     return bounds;
 }
@@ -67,286 +78,343 @@ Bounds find_frame(const GridMap& map, const Raster<std::uint16_t>& labels) {
              std::min(states.height - 1, frame.high.y + margin)}};
 }
 
-FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels) {
+/// Calls `body(first, last)` for a few rows at a time.
+void for_rows(const Executor& executor, std::int32_t height,
+              const std::function<void(std::size_t first, std::size_t last)>& body) {
+    constexpr std::size_t kRows = 32;
+    parallel_for(executor, static_cast<std::size_t>(height), kRows, body);
+}
+
+/// Calls `body(first, last)` for some thousand cells at a time.
+void for_cells(const Executor& executor, std::size_t num_cells,
+               const std::function<void(std::size_t first, std::size_t last)>& body) {
+    constexpr std::size_t kCells = std::size_t{1} << 16U;
+    parallel_for(executor, num_cells, kCells, body);
+}
+
+FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels,
+                    const Executor& executor) {
     const Bounds frame = find_frame(map, labels);
     const std::int32_t width = frame.high.x - frame.low.x + 1;
     const std::int32_t height = frame.high.y - frame.low.y + 1;
     const Cell origin{map.states.origin.x + frame.low.x, map.states.origin.y + frame.low.y};
     FloorCells cells{{origin, width, height}, {origin, width, height}};
-    std::size_t to = 0;
-    for (std::int32_t y = 0; y < height; ++y) {
-        std::size_t from = map.states.offset({origin.x, origin.y + y});
-        for (std::int32_t x = 0; x < width; ++x, ++from, ++to) {
-            const CellState state = map.states.values[from];
-            if (labels.values[from] != 0) {
-                cells.ground.values[to] = labels.values[from];
-                // A room's label covers what stands in it, too: an obstacle is still to be seen.
-                if (state == CellState::occupied) cells.furniture.values[to] = kFurniture;
-                if (state == CellState::unknown) cells.furniture.values[to] = kFurnitureInside;
-            } else if (state == CellState::occupied) {
-                cells.ground.values[to] = kWall;
-            } else if (state == CellState::free) {
-                cells.ground.values[to] = kLooseFree;
+    constexpr std::uint16_t kLastRoom = kFirstNonRoom - 1;
+    constexpr std::array<std::uint16_t, 3> kGroundOf = {0, kLooseFree, kWall};
+    // A room's label covers what stands in it, too: an obstacle is still to be seen.
+    constexpr std::array<std::uint8_t, 3> kFurnitureOf = {kFurnitureInside, 0, kFurniture};
+    static_assert(static_cast<int>(CellState::unknown) == 0 &&
+                  static_cast<int>(CellState::free) == 1 &&
+                  static_cast<int>(CellState::occupied) == 2);
+    for_rows(executor, height, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            const std::size_t from =
+                map.states.offset({origin.x, origin.y + static_cast<std::int32_t>(y)});
+            const CellState* const states = map.states.values.data() + from;
+            const std::uint16_t* const label = labels.values.data() + from;
+            std::uint16_t* const ground =
+                cells.ground.values.data() + y * static_cast<std::size_t>(width);
+            std::uint8_t* const furniture =
+                cells.furniture.values.data() + y * static_cast<std::size_t>(width);
+            for (std::int32_t x = 0; x < width; ++x) {
+                const auto state = static_cast<std::size_t>(states[x]);
+                ground[x] = label[x] != 0 ? std::min(label[x], kLastRoom) : kGroundOf[state];
+                furniture[x] = label[x] != 0 ? kFurnitureOf[state] : std::uint8_t{0};
             }
         }
-    }
+    });
     return cells;
 }
 
-bool is_room(std::uint32_t ground) { return ground > 0 && ground < kFirstNonRoom; }
+bool is_room(std::uint16_t ground) { return ground > 0 && ground < kFirstNonRoom; }
+
+/// 1 for each cell of this value.
+Raster<std::uint8_t> mask_of(const Raster<std::uint16_t>& ground, std::uint16_t value,
+                             const Executor& executor) {
+    Raster<std::uint8_t> mask(ground.origin, ground.width, ground.height);
+    for_cells(executor, mask.values.size(), [&](std::size_t first, std::size_t last) {
+        std::transform(ground.values.data() + first, ground.values.data() + last,
+                       mask.values.data() + first,
+                       [value](std::uint16_t cell) { return std::uint8_t{cell == value}; });
+    });
+    return mask;
+}
+
+bool is_any_set(const Raster<std::uint8_t>& mask) {
+    return std::memchr(mask.values.data(), 1, mask.values.size()) != nullptr;
+}
+
+ConnectedParts parts_of(const Raster<std::uint8_t>& mask, const Executor& executor) {
+    return connected_parts(
+        mask, [&](std::size_t i) { return mask.values[i]; }, Connectivity::four, executor);
+}
 
 /// The cells of rooms that have only their own room around them, `margin_cells` far.
-Raster<std::uint8_t> find_inner_cells(const Raster<std::uint32_t>& ground,
-                                      std::int32_t margin_cells) {
+Raster<std::uint8_t> find_inner_cells(const Raster<std::uint16_t>& ground,
+                                      std::int32_t margin_cells, const Executor& executor) {
     Raster<std::uint8_t> mask(ground.origin, ground.width, ground.height);
     const auto width = static_cast<std::size_t>(ground.width);
-    std::size_t place = 0;
-    for (std::int32_t y = 0; y < ground.height; ++y) {
-        for (std::int32_t x = 0; x < ground.width; ++x, ++place) {
-            const std::uint32_t room = ground.values[place];
-            const auto same = [&](std::size_t neighbour) {
-                return ground.values[neighbour] == room;
-            };
-            const bool within = x > 0 && y > 0 && x + 1 < ground.width && y + 1 < ground.height;
-            const bool inner = within && is_room(room) && same(place - 1) && same(place + 1) &&
-                               same(place - width) && same(place + width);
-            mask.values[place] = inner ? 1 : 0;
+    for_rows(executor, ground.height, [&](std::size_t first, std::size_t last) {
+        first = std::max<std::size_t>(first, 1);
+        last = std::min(last, static_cast<std::size_t>(ground.height) - 1);
+        for (std::size_t y = first; y < last; ++y) {
+            const std::uint16_t* const row = ground.values.data() + y * width;
+            std::uint8_t* const to = mask.values.data() + y * width;
+            for (std::size_t x = 1; x + 1 < width; ++x) {
+                const std::uint16_t room = row[x];
+                // Without branches, eight cells at a time.
+                const unsigned differs = static_cast<unsigned>(row[x - 1] ^ room) |
+                                         static_cast<unsigned>(row[x + 1] ^ room) |
+                                         static_cast<unsigned>(row[x + width] ^ room) |
+                                         static_cast<unsigned>(*(row + x - width) ^ room);
+                to[x] = static_cast<std::uint8_t>((differs == 0) & is_room(room));
+            }
         }
-    }
-    return find_deep_parts(mask, margin_cells);
+    });
+    return find_deep_parts(mask, margin_cells, executor);
+}
+
+/// What the rim cuts off from the inside of a room is taken from it, too.
+void take_cut_off_parts(Raster<std::uint16_t>& ground, const Raster<std::uint8_t>& inner,
+                        const Executor& executor) {
+    const ConnectedParts parts = connected_parts(
+        ground, [&](std::size_t i) { return is_room(ground.values[i]) ? ground.values[i] : 0; },
+        Connectivity::four, executor);
+    std::vector<bool> part_has_inner(parts.count + std::size_t{1});
+    std::vector<bool> room_has_inner(kFirstNonRoom);
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (part_has_inner[run.part]) return;
+        if (std::memchr(&inner.values[first], 1, run.end - run.begin) == nullptr) return;
+        part_has_inner[run.part] = true;
+        room_has_inner[ground.values[first]] = true;
+    });
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        // A room that is all rim stays: it has nothing else to show.
+        if (part_has_inner[run.part] || !room_has_inner[ground.values[first]]) return;
+        std::fill_n(&ground.values[first], run.end - run.begin, std::uint16_t{0});
+    });
 }
 
 /// Labels may reach over the face of a wall: what is not free along the rim of a room is taken from
 /// it, and so is what that cuts off. Further in, it is furniture.
-void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells) {
+void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells, const Executor& executor) {
     if (rim_cells < 1) return;
-    Raster<std::uint32_t>& ground = cells.ground;
-    const Raster<std::uint8_t> inner = find_inner_cells(ground, rim_cells - 1);
-    bool any = false;
-    for (std::size_t i = 0; i < ground.values.size(); ++i) {
-        if (inner.values[i] != 0 || cells.furniture.values[i] == 0) continue;
-        ground.values[i] = cells.furniture.values[i] == kFurniture ? kWall : 0;
-        cells.furniture.values[i] = 0;
-        any = true;
-    }
-    if (!any) return;
-    Raster<std::uint32_t> rooms = ground;
-    for (std::uint32_t& room : rooms.values) room = is_room(room) ? room : 0;
-    const CellRegions parts = number_connected(std::move(rooms));
-    std::vector<std::uint8_t> part_has_inner(parts.values.size() + 1);
-    std::vector<std::uint8_t> room_has_inner(kFirstNonRoom);
-    for (std::size_t i = 0; i < ground.values.size(); ++i) {
-        if (inner.values[i] == 0) continue;
-        part_has_inner[parts.numbers.values[i]] = 1;
-        if (is_room(ground.values[i])) room_has_inner[ground.values[i]] = 1;
-    }
-    for (std::size_t i = 0; i < ground.values.size(); ++i) {
-        const std::uint32_t part = parts.numbers.values[i];
-        if (part == 0 || part_has_inner[part] != 0) continue;
-        // A room that is all rim stays: it has nothing else to show.
-        if (room_has_inner[ground.values[i]] != 0) ground.values[i] = 0;
-    }
+    const Raster<std::uint8_t> inner = find_inner_cells(cells.ground, rim_cells - 1, executor);
+    std::atomic<bool> any{false};
+    for_cells(executor, inner.values.size(), [&](std::size_t first, std::size_t last) {
+        const std::uint8_t* const is_inner = inner.values.data();
+        std::uint8_t* const furniture = cells.furniture.values.data();
+        for (std::size_t i = first; i < last; ++i) {
+            if (furniture[i] == 0 || is_inner[i] != 0) continue;
+            cells.ground.values[i] = furniture[i] == kFurniture ? kWall : std::uint16_t{0};
+            furniture[i] = 0;
+            any = true;
+        }
+    });
+    if (any) take_cut_off_parts(cells.ground, inner, executor);
 }
 
-/// Finds patches of cells without a room that one room encloses, and makes furniture of them.
-class FurnitureFinder {
-public:
-    FurnitureFinder(FloorCells& cells, std::int32_t max_side_cells)
-        : cells_(cells),
-          max_side_cells_(max_side_cells),
-          patch_of_(cells.ground.values.size(), 0) {}
+/// The bounds of each part, as columns and rows of the raster; nothing at 0.
+std::vector<Bounds> bounds_of(const ConnectedParts& parts) {
+    std::vector<Bounds> bounds(parts.count + std::size_t{1});
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        const auto y = static_cast<std::int32_t>(first / static_cast<std::size_t>(parts.width));
+        bounds[run.part].add(static_cast<std::int32_t>(run.begin), y);
+        bounds[run.part].add(static_cast<std::int32_t>(run.end) - 1, y);
+    });
+    return bounds;
+}
 
-    void run() {
-        const Raster<std::uint32_t>& ground = cells_.ground;
-        for (std::size_t i = 1; i < ground.values.size(); ++i) {
-            // A patch inside a room has that room to the left of its lowest row.
-            const bool starts = !is_room(ground.values[i]) && is_room(ground.values[i - 1]);
-            if (!starts || patch_of_[i] != 0) continue;
-            if (collect(i, ground.values[i - 1])) take_patch(ground.values[i - 1]);
-        }
+/// Whether a region of the raster ends where the raster does: then more of it may be outside.
+bool meets_frame(const Bounds& bounds, const Raster<std::uint16_t>& ground) {
+    return bounds.low.x == 0 || bounds.low.y == 0 || bounds.high.x == ground.width - 1 ||
+           bounds.high.y == ground.height - 1;
+}
+
+bool is_shorter(const Bounds& bounds, std::int32_t max_side_cells) {
+    return bounds.high.x - bounds.low.x < max_side_cells &&
+           bounds.high.y - bounds.low.y < max_side_cells;
+}
+
+/// Patches of cells without a room, 8-connected, up to this long, that one room encloses become
+/// furniture.
+void find_furniture(FloorCells& cells, std::int32_t max_side_cells, const Executor& executor) {
+    Raster<std::uint16_t>& ground = cells.ground;
+    const ConnectedParts patches = connected_parts(
+        ground, [&](std::size_t i) { return is_room(ground.values[i]) ? 0 : 1; },
+        Connectivity::eight, executor);
+    const std::vector<Bounds> bounds = bounds_of(patches);
+    // Of each patch the room around it; 0 as long as none was met.
+    std::vector<std::uint16_t> room_around(patches.count + std::size_t{1});
+    std::vector<bool> is_enclosed(patches.count + std::size_t{1});
+    for (std::size_t i = 1; i < is_enclosed.size(); ++i) {
+        is_enclosed[i] = !meets_frame(bounds[i], ground) && is_shorter(bounds[i], max_side_cells);
     }
-
-private:
-    /// Gathers the 8-connected patch that holds `start`. False as soon as it is too long or meets
-    /// another room, the frame, or a patch given up before (then it is part of that one).
-    bool collect(std::size_t start, std::uint32_t room) {
-        const Raster<std::uint32_t>& ground = cells_.ground;
-        patch_.assign(1, start);
-        patch_of_[start] = ++num_patches_;
-        Bounds bounds;
-        for (std::size_t next = 0; next < patch_.size(); ++next) {
-            const auto width = static_cast<std::size_t>(ground.width);
-            const auto x = static_cast<std::int32_t>(patch_[next] % width);
-            const auto y = static_cast<std::int32_t>(patch_[next] / width);
-            bounds.add(x, y);
-            const bool at_frame =
-                x == 0 || y == 0 || x == ground.width - 1 || y == ground.height - 1;
-            if (at_frame || bounds.high.x - bounds.low.x >= max_side_cells_ ||
-                bounds.high.y - bounds.low.y >= max_side_cells_) {
-                return false;
-            }
-            for (std::int32_t dy = -1; dy <= 1; ++dy) {
-                for (std::int32_t dx = -1; dx <= 1; ++dx) {
-                    const std::size_t place =
-                        static_cast<std::size_t>(y + dy) * width + static_cast<std::size_t>(x + dx);
-                    if (is_room(ground.values[place])) {
-                        if (ground.values[place] != room) return false;
-                    } else if (patch_of_[place] == 0) {
-                        patch_of_[place] = num_patches_;
-                        patch_.push_back(place);
-                    } else if (patch_of_[place] != num_patches_) {
-                        return false;
-                    }
-                }
-            }
+    const auto width = static_cast<std::size_t>(ground.width);
+    patches.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!is_enclosed[run.part]) return;
+        std::uint16_t& room = room_around[run.part];
+        const auto meet = [&](std::size_t place) {
+            const std::uint16_t met = ground.values[place];
+            if (!is_room(met)) return;
+            if (room == 0) room = met;
+            if (met != room) is_enclosed[run.part] = false;
+        };
+        const std::size_t last = first + (run.end - run.begin) - 1;
+        meet(first - 1);
+        meet(last + 1);
+        for (std::size_t place = first - 1; place <= last + 1; ++place) {
+            meet(place - width);
+            meet(place + width);
         }
-        return true;
-    }
-
-    void take_patch(std::uint32_t room) {
-        for (const std::size_t place : patch_) {
-            std::uint32_t& ground = cells_.ground.values[place];
-            if (ground == kWall) cells_.furniture.values[place] = kFurniture;
-            if (ground == 0) cells_.furniture.values[place] = kFurnitureInside;
-            ground = room;
+    });
+    patches.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!is_enclosed[run.part]) return;
+        for (std::size_t place = first; place < first + (run.end - run.begin); ++place) {
+            const std::uint16_t was = std::exchange(ground.values[place], room_around[run.part]);
+            if (was == kWall) cells.furniture.values[place] = kFurniture;
+            if (was == 0) cells.furniture.values[place] = kFurnitureInside;
         }
-    }
-
-    FloorCells& cells_;
-    std::int32_t max_side_cells_;
-    std::vector<std::uint32_t> patch_of_;
-    std::uint32_t num_patches_ = 0;
-    std::vector<std::size_t> patch_;
-};
+    });
+}
 
 /// What lies along the border of a 4-connected region.
-struct RegionTally {
-    Bounds bounds;
+struct BorderTally {
     std::size_t num_cells = 0;
     std::size_t num_edges = 0;
     std::size_t num_room_edges = 0;
     std::size_t num_wall_edges = 0;
 };
 
-struct TalliedRegions {
-    Raster<std::uint32_t> numbers;
-    std::vector<RegionTally> tallies;
-};
-
-TalliedRegions tally_regions(const Raster<std::uint32_t>& ground,
-                             const Raster<std::uint8_t>& mask) {
-    Raster<std::uint32_t> values(ground.origin, ground.width, ground.height);
-    std::copy(mask.values.begin(), mask.values.end(), values.values.begin());
-    CellRegions regions = number_connected(std::move(values));
-    TalliedRegions result{std::move(regions.numbers),
-                          std::vector<RegionTally>(regions.values.size())};
-    if (result.tallies.empty()) return result;
-
+/// The borders of the parts of a mask that are `wanted`; nothing at 0.
+/// @pre no cell of the mask is of a room or a wall.
+std::vector<BorderTally> tally_borders(const Raster<std::uint16_t>& ground,
+                                       const Raster<std::uint8_t>& mask,
+                                       const ConnectedParts& parts,
+                                       const std::vector<bool>& wanted) {
+    std::vector<BorderTally> tallies(parts.count + std::size_t{1});
     const auto width = static_cast<std::size_t>(ground.width);
-    std::size_t place = 0;
-    for (std::int32_t y = 0; y < ground.height; ++y) {
-        for (std::int32_t x = 0; x < ground.width; ++x, ++place) {
-            const std::uint32_t number = result.numbers.values[place];
-            if (number == 0) continue;
-            RegionTally& tally = result.tallies[number - 1];
-            tally.bounds.add(x, y);
-            ++tally.num_cells;
-            const auto look = [&](bool exists, std::size_t neighbour) {
-                if (!exists || result.numbers.values[neighbour] == number) return;
-                ++tally.num_edges;
-                if (is_room(ground.values[neighbour])) ++tally.num_room_edges;
-                if (ground.values[neighbour] == kWall) ++tally.num_wall_edges;
-            };
-            look(x > 0, place - 1);
-            look(x + 1 < ground.width, place + 1);
-            look(y > 0, place - width);
-            look(y + 1 < ground.height, place + width);
-        }
-    }
-    return result;
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!wanted[run.part]) return;
+        const std::size_t length = run.end - run.begin;
+        // What lies beside a cell of the mask and is in the mask is of the same part.
+        std::uint32_t num_edges = 0;
+        std::uint32_t num_room_edges = 0;
+        std::uint32_t num_wall_edges = 0;
+        const auto look = [&](std::size_t begin, std::size_t count) {
+            for (std::size_t i = begin; i < begin + count; ++i) {
+                num_edges += mask.values[i] == 0 ? 1 : 0;
+                num_room_edges += is_room(ground.values[i]) ? 1 : 0;
+                num_wall_edges += ground.values[i] == kWall ? 1 : 0;
+            }
+        };
+        if (run.begin > 0) look(first - 1, 1);
+        if (run.end < width) look(first + length, 1);
+        if (first >= width) look(first - width, length);
+        if (first + width < ground.values.size()) look(first + width, length);
+        BorderTally& tally = tallies[run.part];
+        tally.num_cells += length;
+        tally.num_edges += num_edges;
+        tally.num_room_edges += num_room_edges;
+        tally.num_wall_edges += num_wall_edges;
+    });
+    return tallies;
 }
 
-TalliedRegions tally_regions(const Raster<std::uint32_t>& ground, std::uint32_t value) {
-    Raster<std::uint8_t> mask(ground.origin, ground.width, ground.height);
-    std::transform(ground.values.begin(), ground.values.end(), mask.values.begin(),
-                   [value](std::uint32_t cell) { return cell == value ? 1 : 0; });
-    return tally_regions(ground, mask);
-}
-
-/// Whether a region of the raster ends where the raster does: then more of it may be outside.
-bool meets_frame(const Bounds& bounds, const Raster<std::uint32_t>& ground) {
-    return bounds.low.x == 0 || bounds.low.y == 0 || bounds.high.x == ground.width - 1 ||
-           bounds.high.y == ground.height - 1;
+/// Adds the free cells to the mask that nothing but walls touches.
+void add_shut_in_cells(const Raster<std::uint16_t>& ground, Raster<std::uint8_t>& is_hidden,
+                       const Executor& executor) {
+    const Raster<std::uint8_t> is_loose = mask_of(ground, kLooseFree, executor);
+    if (!is_any_set(is_loose)) return;
+    const ConnectedParts parts = parts_of(is_loose, executor);
+    const std::vector<Bounds> bounds = bounds_of(parts);
+    std::vector<bool> is_shut_in(bounds.size());
+    for (std::size_t i = 1; i < bounds.size(); ++i) is_shut_in[i] = !meets_frame(bounds[i], ground);
+    const std::vector<BorderTally> tallies = tally_borders(ground, is_loose, parts, is_shut_in);
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!is_shut_in[run.part] || tallies[run.part].num_room_edges > 0) return;
+        std::fill_n(&is_hidden.values[first], run.end - run.begin, std::uint8_t{1});
+    });
 }
 
 /// Unknown cells, and free ones that nothing but walls touches: thin parts are walls, patches of a
 /// moderate size are furniture, and the rest stays.
 void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
-                       std::int32_t max_furniture_cells) {
-    Raster<std::uint32_t>& ground = cells.ground;
-    const TalliedRegions loose = tally_regions(ground, kLooseFree);
-    Raster<std::uint8_t> is_hidden(ground.origin, ground.width, ground.height);
-    for (std::size_t i = 0; i < is_hidden.values.size(); ++i) {
-        const std::uint32_t number = loose.numbers.values[i];
-        const bool shut_in = number > 0 && loose.tallies[number - 1].num_room_edges == 0 &&
-                             !meets_frame(loose.tallies[number - 1].bounds, ground);
-        is_hidden.values[i] = ground.values[i] == 0 || shut_in ? 1 : 0;
+                       std::int32_t max_furniture_cells, const Executor& executor) {
+    Raster<std::uint16_t>& ground = cells.ground;
+    Raster<std::uint8_t> is_hidden = mask_of(ground, 0, executor);
+    add_shut_in_cells(ground, is_hidden, executor);
+    const Raster<std::uint8_t> thick = find_thick_parts(is_hidden, max_wall_cells + 1, executor);
+    const ConnectedParts parts = parts_of(is_hidden, executor);
+    const std::vector<Bounds> bounds = bounds_of(parts);
+    std::vector<bool> is_furniture(bounds.size());
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+        is_furniture[i] = is_shorter(bounds[i], max_furniture_cells);
     }
-    const Raster<std::uint8_t> thick = find_thick_parts(is_hidden, max_wall_cells + 1);
-    const TalliedRegions hidden = tally_regions(ground, is_hidden);
-    for (std::size_t i = 0; i < is_hidden.values.size(); ++i) {
-        if (is_hidden.values[i] == 0) continue;
-        if (thick.values[i] == 0) {
-            ground.values[i] = kWallCore;
-            continue;
-        }
-        const RegionTally& tally = hidden.tallies[hidden.numbers.values[i] - 1];
-        const bool small = tally.bounds.high.x - tally.bounds.low.x < max_furniture_cells &&
-                           tally.bounds.high.y - tally.bounds.low.y < max_furniture_cells;
+    const std::vector<BorderTally> tallies = tally_borders(ground, is_hidden, parts, is_furniture);
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+        const BorderTally& tally = tallies[i];
         const bool enclosed = tally.num_room_edges + tally.num_wall_edges == tally.num_edges;
-        if (small && enclosed) cells.furniture.values[i] = kFurnitureInside;
+        is_furniture[i] = is_furniture[i] && enclosed;
     }
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        for (std::size_t i = first; i < first + (run.end - run.begin); ++i) {
+            if (thick.values[i] == 0) {
+                ground.values[i] = kWallCore;
+            } else if (is_furniture[run.part]) {
+                cells.furniture.values[i] = kFurnitureInside;
+            }
+        }
+    });
 }
 
 /// Of solid blocks, and of maps whose outside is occupied, a wall's thickness is drawn.
-void hollow_out_blocks(Raster<std::uint32_t>& ground, std::int32_t max_wall_cells) {
-    Raster<std::uint8_t> is_wall(ground.origin, ground.width, ground.height);
-    std::transform(ground.values.begin(), ground.values.end(), is_wall.values.begin(),
-                   [](std::uint32_t cell) { return cell == kWall ? 1 : 0; });
-    const Raster<std::uint8_t> thick = find_thick_parts(is_wall, 2 * max_wall_cells);
-    if (std::find(thick.values.begin(), thick.values.end(), 1) == thick.values.end()) return;
-    const Raster<std::uint8_t> deep = find_deep_parts(thick, std::max(max_wall_cells / 2, 1));
-    for (std::size_t i = 0; i < ground.values.size(); ++i) {
-        if (deep.values[i] != 0) ground.values[i] = 0;
-    }
+void hollow_out_blocks(Raster<std::uint16_t>& ground, std::int32_t max_wall_cells,
+                       const Executor& executor) {
+    Raster<std::uint8_t> thick =
+        find_thick_parts(mask_of(ground, kWall, executor), 2 * max_wall_cells, executor);
+    if (!is_any_set(thick)) return;
+    const Raster<std::uint8_t> deep =
+        find_deep_parts(thick, std::max(max_wall_cells / 2, 1), executor);
+    for_cells(executor, ground.values.size(), [&](std::size_t first, std::size_t last) {
+        std::transform(deep.values.data() + first, deep.values.data() + last,
+                       ground.values.data() + first, ground.values.data() + first,
+                       [](std::uint8_t is_deep, std::uint16_t cell) {
+                           return is_deep != 0 ? std::uint16_t{0} : cell;
+                       });
+    });
 }
 
 /// A thin part whose sides are occupied rather than rooms is the inside of a wall, and a speck
 /// beside one belongs to it. The others may be gaps between the beams of a laser.
-void fill_walls(Raster<std::uint32_t>& ground) {
+void fill_walls(Raster<std::uint16_t>& ground, const Executor& executor) {
     constexpr std::size_t kSpeckCells = 3;
-    const TalliedRegions cores = tally_regions(ground, kWallCore);
-    for (std::size_t i = 0; i < ground.values.size(); ++i) {
-        const std::uint32_t number = cores.numbers.values[i];
-        if (number == 0) continue;
-        const RegionTally& tally = cores.tallies[number - 1];
+    const Raster<std::uint8_t> is_core = mask_of(ground, kWallCore, executor);
+    if (!is_any_set(is_core)) return;
+    const ConnectedParts parts = parts_of(is_core, executor);
+    const std::vector<BorderTally> tallies = tally_borders(
+        ground, is_core, parts, std::vector<bool>(parts.count + std::size_t{1}, true));
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        const BorderTally& tally = tallies[run.part];
         const bool speck = tally.num_cells <= kSpeckCells && tally.num_wall_edges > 0;
-        if (speck || tally.num_wall_edges >= tally.num_room_edges) ground.values[i] = kWall;
-    }
+        if (!speck && tally.num_wall_edges < tally.num_room_edges) return;
+        std::fill_n(&ground.values[first], run.end - run.begin, kWall);
+    });
 }
 
 }  // namespace
 
-FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& labels) {
-    FloorCells cells = classify(map, labels);
-    return_rims_to_walls(cells, to_cells(kRimMetres, map.resolution_m));
+FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& labels,
+                            const Executor& executor) {
+    FloorCells cells = classify(map, labels, executor);
+    return_rims_to_walls(cells, to_cells(kRimMetres, map.resolution_m), executor);
     const std::int32_t max_furniture_cells = to_cells(kMaxFurnitureMetres, map.resolution_m);
-    FurnitureFinder(cells, max_furniture_cells).run();
+    find_furniture(cells, max_furniture_cells, executor);
     const std::int32_t max_wall_cells =
         std::min(to_cells(kMaxWallMetres, map.resolution_m), kMaxWallCells);
-    mark_hidden_cells(cells, max_wall_cells, max_furniture_cells);
-    fill_walls(cells.ground);
-    hollow_out_blocks(cells.ground, std::max(max_wall_cells, 2));
+    mark_hidden_cells(cells, max_wall_cells, max_furniture_cells, executor);
+    fill_walls(cells.ground, executor);
+    hollow_out_blocks(cells.ground, std::max(max_wall_cells, 2), executor);
     return cells;
 }
 

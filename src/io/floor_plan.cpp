@@ -16,6 +16,7 @@
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -40,7 +41,7 @@ double letter_scale(std::size_t num_rooms) {
 }
 
 /// Sets the page's size, and where cells come to lie on it.
-Layout set_page(const Raster<std::uint32_t>& ground, FloorPlan& plan) {
+Layout set_page(const Raster<std::uint16_t>& ground, FloorPlan& plan) {
     const double longest = std::max(ground.width, ground.height);
     const double pixels_per_cell = longest <= kLongPage ? std::floor(kLongPage / longest)
                                                         : std::min(1.0, kLongestPage / longest);
@@ -63,12 +64,12 @@ Layout set_page(const Raster<std::uint32_t>& ground, FloorPlan& plan) {
 }
 
 /// From the map's half cells, y up, to the drawing's.
-std::vector<DrawnRing> draw_rings(const RegionOutline& region, const Raster<std::uint32_t>& frame) {
+std::vector<DrawnRing> draw_rings(const RegionOutline& region, const Box& frame) {
     std::vector<DrawnRing> rings;
     for (const OutlineRing& outline : region.rings) {
         DrawnRing ring = smooth_ring(outline);
         for (HalfCell& point : ring) {
-            point = {point.x - 2 * frame.origin.x, 2 * (frame.origin.y + frame.height) - point.y};
+            point = {point.x - 2 * frame.low.x, 2 * (frame.high.y + 1) - point.y};
         }
         if (ring.size() > 2) rings.push_back(std::move(ring));
     }
@@ -79,9 +80,9 @@ void append(std::vector<DrawnRing>& to, std::vector<DrawnRing> rings) {
     std::move(rings.begin(), rings.end(), std::back_inserter(to));
 }
 
-void draw_cells(const FloorCells& cells, FloorPlan& plan) {
-    for (const RegionOutline& region : trace_outlines(cells.ground, kWall)) {
-        std::vector<DrawnRing> rings = draw_rings(region, cells.ground);
+void draw_cells(const FloorCells& cells, const Executor& executor, FloorPlan& plan) {
+    for (const RegionOutline& region : trace_outlines(cells.ground, kWall, executor)) {
+        std::vector<DrawnRing> rings = draw_rings(region, plan.frame);
         if (region.value == kLooseFree) {
             append(plan.loose_free, std::move(rings));
         } else if (region.value == kWallCore) {
@@ -92,9 +93,9 @@ void draw_cells(const FloorCells& cells, FloorPlan& plan) {
             append(plan.rooms[region.value - 1].rings, std::move(rings));
         }
     }
-    for (const RegionOutline& region : trace_outlines(cells.furniture, kFurniture)) {
+    for (const RegionOutline& region : trace_outlines(cells.furniture, kFurniture, executor)) {
         append(region.value == kFurniture ? plan.furniture : plan.furniture_insides,
-               draw_rings(region, cells.furniture));
+               draw_rings(region, plan.frame));
     }
 }
 
@@ -132,57 +133,82 @@ private:
     double resolution_m_;
 };
 
-/// The ground without what furniture stands on, and of each room the point farthest from all
+/// The rooms without what furniture stands on, and of each room the point farthest from all
 /// obstacles, in cells.
 struct BareFloor {
-    Raster<std::uint32_t> ground;
+    Raster<std::uint16_t> ground;
     std::vector<Point> inner_points;
 };
 
-BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms) {
+/// The cell farthest from all obstacles; of several, the first.
+struct Innermost {
+    float clearance = 0.0F;
+    std::size_t place = 0;
+};
+
+BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms, const Executor& executor) {
     BareFloor floor{cells.ground, std::vector<Point>(num_rooms)};
     Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
-    for (std::size_t i = 0; i < open.values.size(); ++i) {
-        std::uint32_t& ground = floor.ground.values[i];
-        if (cells.furniture.values[i] != 0) ground = kWall;
-        open.values[i] = ground > 0 && ground <= num_rooms ? 1 : 0;
-    }
-    const Raster<float> clearance = clearance_m(open, 1.0);
-    std::vector<float> most(num_rooms, 0.0F);
-    for (std::size_t i = 0; i < open.values.size(); ++i) {
-        if (open.values[i] == 0) continue;
-        const std::size_t room = floor.ground.values[i] - 1;
-        if (clearance.values[i] <= most[room]) continue;
-        most[room] = clearance.values[i];
-        const Cell cell = open.cell(i);
-        floor.inner_points[room] = {cell.x + 0.5, cell.y + 0.5};
+    constexpr std::size_t kCells = std::size_t{1} << 16U;
+    parallel_for(executor, open.values.size(), kCells, [&](std::size_t first, std::size_t last) {
+        std::uint16_t* const ground = floor.ground.values.data();
+        std::uint8_t* const is_open = open.values.data();
+        const std::uint8_t* const furniture = cells.furniture.values.data();
+        for (std::size_t i = first; i < last; ++i) {
+            const bool is_bare = ground[i] < kFirstNonRoom && furniture[i] == 0;
+            ground[i] = is_bare ? ground[i] : std::uint16_t{0};
+            is_open[i] = std::uint8_t{ground[i] != 0};
+        }
+    });
+    const Raster<float> clearance = clearance_m(open, 1.0, executor);
+    const std::vector<Innermost> most = tally_by_label<Innermost>(
+        floor.ground, executor,
+        [&](Innermost& innermost, const LabelRun& run) {
+            const float* const begin = clearance.values.data() + run.offset;
+            const float here = largest(begin, run.num_cells, innermost.clearance);
+            if (here <= innermost.clearance) return;
+            const auto place = std::find(begin, begin + run.num_cells, here) - begin;
+            innermost = {here, run.offset + static_cast<std::size_t>(place)};
+        },
+        [](Innermost& into, const Innermost& other) {
+            if (other.clearance > into.clearance) into = other;
+        });
+    for (std::size_t room = 1; room < most.size() && room <= num_rooms; ++room) {
+        if (most[room].clearance == 0.0F) continue;
+        const Cell cell = open.cell(most[room].place);
+        floor.inner_points[room - 1] = {cell.x + 0.5, cell.y + 0.5};
     }
     return floor;
 }
 
 /// Beside the furniture where that does not make letters much smaller, on it where it does.
 void place_labels(const FloorCells& cells, const std::vector<Room>& rooms,
-                  const CellsFromMap& cells_from_map, const Layout& layout, FloorPlan& plan) {
+                  const CellsFromMap& cells_from_map, const Layout& layout,
+                  const Executor& executor, FloorPlan& plan) {
     constexpr double kWorthIt = 0.75;
     const Typeface typeface;
     // Of larger maps, a page shows no furniture that letters could stand on.
     constexpr std::size_t kMostCells = std::size_t{1} << 25U;
     std::optional<BareFloor> bare;
-    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size());
+    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size(), executor);
     const double unit = layout.unit * letter_scale(rooms.size());
-    for (std::size_t i = 0; i < rooms.size(); ++i) {
+    std::vector<std::optional<RoomLabel>> labels(rooms.size());
+    const auto place = [&](std::size_t i) {
         LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name, plan.rooms[i].area,
                        cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)};
-        const auto label = place_label(text, cells.ground, layout.scale, unit, typeface);
-        if (!label) continue;
-        std::optional<RoomLabel> beside;
-        if (bare) {
-            text.label_point = bare->inner_points[i];
-            beside = place_label(text, bare->ground, layout.scale, unit, typeface);
-        }
-        const bool worth_it = beside && beside->name.size >= kWorthIt * label->name.size &&
-                              (beside->area || !label->area);
-        plan.labels.push_back(worth_it ? *beside : *label);
+        labels[i] = place_label(text, cells.ground, layout.scale, unit, typeface);
+        if (!labels[i] || !bare) return;
+        text.label_point = bare->inner_points[i];
+        auto beside = place_label(text, bare->ground, layout.scale, unit, typeface);
+        const bool worth_it = beside && beside->name.size >= kWorthIt * labels[i]->name.size &&
+                              (beside->area || !labels[i]->area);
+        if (worth_it) labels[i] = std::move(beside);
+    };
+    parallel_for(executor, rooms.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) place(i);
+    });
+    for (std::optional<RoomLabel>& label : labels) {
+        if (label) plan.labels.push_back(std::move(*label));
     }
 }
 
@@ -206,8 +232,8 @@ std::array<Point, 8> ScaleBar::outline() const {
 Point ScaleBar::text_left() const { return {origin.x + length + 0.6 * text_size, origin.y}; }
 
 FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentation,
-                             std::span<const Rgb> colors) {
-    const FloorCells cells = sort_floor_cells(map, segmentation.labels);
+                             std::span<const Rgb> colors, const Executor& executor) {
+    const FloorCells cells = sort_floor_cells(map, segmentation.labels, executor);
     FloorPlan plan;
     const Layout layout = set_page(cells.ground, plan);
     plan.frame = cells.ground.box();
@@ -222,7 +248,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                               area_text(room.area_m2),
                               std::string(to_text(room.kind))});
     }
-    draw_cells(cells, plan);
+    draw_cells(cells, executor, plan);
 
     const CellsFromMap cells_from_map(map);
     const std::map<RoomId, std::size_t> places = room_places(segmentation.rooms);
@@ -233,7 +259,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    place_labels(cells, segmentation.rooms, cells_from_map, layout, plan);
+    place_labels(cells, segmentation.rooms, cells_from_map, layout, executor, plan);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
     return plan;
 }

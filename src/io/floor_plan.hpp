@@ -11,6 +11,7 @@
 #include "io/label_placement.hpp"
 #include "io/palette.hpp"
 #include "io/smooth_outline.hpp"
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
@@ -104,7 +105,8 @@ inline constexpr double kHaloOpacity = 0.8;
 /// or so much less that it is at most 8192 long. O(cells).
 /// @pre segmentation.labels and map.states cover the same rectangle, which is not empty.
 [[nodiscard]] FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentation,
-                                           std::span<const Rgb> colors);
+                                           std::span<const Rgb> colors,
+                                           const Executor& executor = {});
 
 /// The plan `factor` times as large, and then moved by `shift` pixels: for pages that hold several.
 /// Its page becomes what it needs from its own upper left corner.

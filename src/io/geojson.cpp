@@ -22,10 +22,8 @@ namespace {
 /// The connected parts of each region 1 .. count, in order of regions.
 std::vector<std::vector<RegionOutline>> trace_regions(const Raster<std::uint16_t>& labels,
                                                       std::size_t count) {
-    Raster<std::uint32_t> values(labels.origin, labels.width, labels.height);
-    std::copy(labels.values.begin(), labels.values.end(), values.values.begin());
     std::vector<std::vector<RegionOutline>> parts(count);
-    for (RegionOutline& outline : trace_outlines(std::move(values))) {
+    for (RegionOutline& outline : trace_outlines(labels)) {
         parts.at(outline.value - 1).push_back(std::move(outline));
     }
     return parts;

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "quadcut/base/parallel.hpp"
+
 namespace quadcut::io {
 
 /// The most pixels an image may have.
@@ -62,8 +64,29 @@ ImageHeader parse_pgm(std::string_view bytes, const std::string& name, const Ima
 /// Reads a whole image. Errors as parse_image and read_file.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
-/// Encodes a PNG without metadata. @pre max_value is 255 or 65535, width and height are positive.
-[[nodiscard]] std::string encode_png(const ImageHeader& header, const ImageRowSource& source);
+/// Rows first .. last - 1 of an image as a PNG has them: a byte a sample, or two, the high one
+/// first.
+struct ImageBand {
+    std::int32_t first = 0;
+    std::int32_t last = 0;
+    std::uint8_t* samples = nullptr;
+    /// From one row to the next.
+    std::size_t stride = 0;
+
+    [[nodiscard]] std::uint8_t* row(std::int32_t y) const {
+        return samples + static_cast<std::size_t>(y - first) * stride;
+    }
+};
+using ImageBandSource = std::function<void(const ImageBand& band)>;
+
+/// Encodes a PNG without metadata, in bands of 64 rows: with several threads, the source is called
+/// from all of them, and the bands come in any order. The same bytes on any number of threads.
+/// About 2 ns a sample. @pre max_value is 255 or 65535, width and height are positive.
+[[nodiscard]] std::string encode_png(const ImageHeader& header, const ImageRowSource& source,
+                                     const Executor& executor = {});
+/// The same where rows are made several at a time, into bytes that are 0.
+[[nodiscard]] std::string encode_png_bands(const ImageHeader& header, const ImageBandSource& source,
+                                           const Executor& executor = {});
 /// Encodes a binary PGM (P5), 8 or 16 bits by max_value. @pre one channel.
 [[nodiscard]] std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source);
 

@@ -40,7 +40,7 @@ Block measure(const LabelText& text, double size, bool with_area, const Typeface
     return block;
 }
 
-bool is_all_room(const Raster<std::uint32_t>& ground, std::uint32_t room, const Point& center,
+bool is_all_room(const Raster<std::uint16_t>& ground, std::uint32_t room, const Point& center,
                  double width, double height) {
     constexpr double kFarAway = 1e9;
     const bool near = std::abs(center.x) < kFarAway && std::abs(center.y) < kFarAway &&
@@ -55,7 +55,7 @@ bool is_all_room(const Raster<std::uint32_t>& ground, std::uint32_t room, const 
         const auto first =
             ground.values.begin() + static_cast<std::ptrdiff_t>(ground.offset({low_x, y}));
         if (!std::all_of(first, first + (high_x - low_x + 1),
-                         [room](std::uint32_t cell) { return cell == room; })) {
+                         [room](std::uint16_t cell) { return cell == room; })) {
             return false;
         }
     }
@@ -71,7 +71,7 @@ struct Fit {
 
 class Fitter {
 public:
-    Fitter(const LabelText& text, const Raster<std::uint32_t>& ground, const PageScale& scale,
+    Fitter(const LabelText& text, const Raster<std::uint16_t>& ground, const PageScale& scale,
            double unit, const Typeface& typeface)
         : text_(text), ground_(ground), scale_(scale), unit_(unit), typeface_(typeface) {}
 
@@ -133,7 +133,7 @@ private:
     }
 
     const LabelText& text_;
-    const Raster<std::uint32_t>& ground_;
+    const Raster<std::uint16_t>& ground_;
     const PageScale& scale_;
     double unit_;
     const Typeface& typeface_;
@@ -141,7 +141,7 @@ private:
 
 }  // namespace
 
-std::optional<RoomLabel> place_label(const LabelText& text, const Raster<std::uint32_t>& ground,
+std::optional<RoomLabel> place_label(const LabelText& text, const Raster<std::uint16_t>& ground,
                                      const PageScale& scale, double unit,
                                      const Typeface& typeface) {
     const Fitter fitter(text, ground, scale, unit, typeface);

@@ -57,7 +57,7 @@ struct LabelText {
 /// the label point allows larger letters. Nothing if not even the smallest fits. `unit` scales the
 /// sizes: 1 means 11.5 to 30 pixels. O(cells under the text).
 [[nodiscard]] std::optional<RoomLabel> place_label(const LabelText& text,
-                                                   const Raster<std::uint32_t>& ground,
+                                                   const Raster<std::uint16_t>& ground,
                                                    const PageScale& scale, double unit,
                                                    const Typeface& typeface);
 

@@ -39,22 +39,9 @@ struct Decoder {
     ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-struct Encoder {
-    png_structp png = nullptr;
-    png_infop info = nullptr;
-    std::string bytes;
-    std::array<char, kMaxMessage> message{};
-
-    Encoder() = default;
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
-    ~Encoder() { png_destroy_write_struct(&png, &info); }
-};
-
-template <typename Coder>
 [[noreturn]] void keep_message(png_structp png, png_const_charp text) {
-    auto* coder = static_cast<Coder*>(png_get_error_ptr(png));
-    std::strncpy(coder->message.data(), text, kMaxMessage - 1);
+    auto* decoder = static_cast<Decoder*>(png_get_error_ptr(png));
+    std::strncpy(decoder->message.data(), text, kMaxMessage - 1);
     png_longjmp(png, 1);
 }
 
@@ -66,19 +53,6 @@ void take_bytes(png_structp png, png_bytep data, std::size_t count) {
     std::memcpy(data, decoder->bytes + decoder->position, count);
     decoder->position += count;
 }
-
-void append_bytes(png_structp png, png_bytep data, std::size_t count) {
-    auto* encoder = static_cast<Encoder*>(png_get_io_ptr(png));
-    bool appended = false;
-    try {
-        encoder->bytes.append(reinterpret_cast<const char*>(data), count);
-        appended = true;
-    } catch (const std::bad_alloc&) {
-    }
-    if (!appended) png_error(png, "out of memory");
-}
-
-void flush_nothing(png_structp) {}
 
 /// Whether `call` returned rather than jumped. @pre its captures are trivial to destroy.
 template <typename Call>
@@ -130,8 +104,8 @@ ImageHeader plain_header(const Decoder& decoder) {
 }
 
 void open(Decoder& decoder, const std::string& name) {
-    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, keep_message<Decoder>,
-                                         ignore_warning);
+    decoder.png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, keep_message, ignore_warning);
     if (decoder.png == nullptr) throw std::bad_alloc();
     decoder.info = png_create_info_struct(decoder.png);
     if (decoder.info == nullptr) throw std::bad_alloc();
@@ -178,41 +152,6 @@ void read_rows(Decoder& decoder, const ImageHeader& header, int num_passes, cons
     }
 }
 
-void check_encodable(const ImageHeader& header) {
-    const bool known_depth = header.max_value == kMaxByte || header.max_value == kMaxWord;
-    if (header.width <= 0 || header.height <= 0 || header.channels < 1 || header.channels > 4 ||
-        !known_depth) {
-        throw std::logic_error("encode_png: expected a size, 1 to 4 channels, 8 or 16 bits");
-    }
-}
-
-void begin(Encoder& encoder, const ImageHeader& header) {
-    encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, keep_message<Encoder>,
-                                          ignore_warning);
-    if (encoder.png == nullptr) throw std::bad_alloc();
-    encoder.info = png_create_info_struct(encoder.png);
-    if (encoder.info == nullptr) throw std::bad_alloc();
-    constexpr std::array<int, 4> kColorTypes = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
-                                                PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
-    const int color_type = kColorTypes.at(static_cast<std::size_t>(header.channels - 1));
-    const int depth = header.max_value == kMaxWord ? 16 : 8;
-    Encoder* const state = &encoder;
-    const ImageHeader* const form = &header;
-    const bool done = attempt(encoder.png, [state, form, color_type, depth] {
-        png_set_write_fn(state->png, state, append_bytes, flush_nothing);
-        // Maps and labels are large areas of one value: more effort or filters shrink them little.
-        png_set_compression_level(state->png, 4);
-        png_set_filter(state->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-        png_set_user_limits(state->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-        png_set_IHDR(state->png, state->info, static_cast<png_uint_32>(form->width),
-                     static_cast<png_uint_32>(form->height), depth, color_type, PNG_INTERLACE_NONE,
-                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_write_info(state->png, state->info);
-        if constexpr (std::endian::native == std::endian::little) png_set_swap(state->png);
-    });
-    if (!done) throw std::runtime_error(std::string("encode_png: ") + encoder.message.data());
-}
-
 }  // namespace
 
 ImageHeader parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
@@ -236,30 +175,6 @@ ImageHeader parse_png(std::string_view bytes, const std::string& name, const Ima
     const bool finished = attempt(decoder.png, [state] { png_read_end(state->png, nullptr); });
     if (!finished) fail(decoder, name);
     return header;
-}
-
-std::string encode_png(const ImageHeader& header, const ImageRowSource& source) {
-    check_encodable(header);
-    Encoder encoder;
-    begin(encoder, header);
-    const png_structp png = encoder.png;
-    const auto require = [&encoder](bool done) {
-        if (!done) throw std::runtime_error(std::string("encode_png: ") + encoder.message.data());
-    };
-    std::vector<std::uint16_t> samples(header.row_samples());
-    std::vector<png_byte> narrow(header.max_value == kMaxByte ? samples.size() : 0);
-    for (std::int32_t y = 0; y < header.height; ++y) {
-        source(y, samples);
-        const png_byte* row = reinterpret_cast<const png_byte*>(samples.data());
-        if (!narrow.empty()) {
-            std::transform(samples.begin(), samples.end(), narrow.begin(),
-                           [](std::uint16_t value) { return static_cast<png_byte>(value); });
-            row = narrow.data();
-        }
-        require(attempt(png, [png, row] { png_write_row(png, row); }));
-    }
-    require(attempt(png, [png] { png_write_end(png, nullptr); }));
-    return std::move(encoder.bytes);
 }
 
 }  // namespace quadcut::io

@@ -3,6 +3,7 @@
 #include "io/render.hpp"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "io/canvas.hpp"
@@ -22,7 +23,7 @@ void fill_rings(Canvas& canvas, const FloorPlan& plan, const std::vector<DrawnRi
                 Rgb ink) {
     Shape shape;
     for (const DrawnRing& ring : rings) shape.add_polygon(to_page(plan, ring));
-    canvas.fill(shape, ink);
+    canvas.fill(std::move(shape), ink);
 }
 
 void draw_room(Canvas& canvas, const FloorPlan& plan, const DrawnRoom& room) {
@@ -31,7 +32,7 @@ void draw_room(Canvas& canvas, const FloorPlan& plan, const DrawnRoom& room) {
     for (const DrawnRing& ring : room.rings) {
         border.add_closed_line(to_page(plan, ring), plan.border_width);
     }
-    canvas.fill(border, mixed(room.color, kWallInk, kBorderShare));
+    canvas.fill(std::move(border), mixed(room.color, kWallInk, kBorderShare));
 }
 
 void draw_doors(Canvas& canvas, const FloorPlan& plan) {
@@ -42,8 +43,8 @@ void draw_doors(Canvas& canvas, const FloorPlan& plan) {
         casing.add_line(line, plan.door_width * kCasing);
         doors.add_line(line, plan.door_width);
     }
-    canvas.fill(casing, kPaper);
-    canvas.fill(doors, kDoorInk);
+    canvas.fill(std::move(casing), kPaper);
+    canvas.fill(std::move(doors), kDoorInk);
 }
 
 /// The letters of a line of text whose middle is at its anchor.
@@ -76,7 +77,7 @@ void draw_labels(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface
 void draw_scale_bar(Canvas& canvas, const ScaleBar& bar, const Typeface& typeface) {
     Shape shape;
     shape.add_polygon(bar.outline());
-    canvas.fill(shape, kTextInk);
+    canvas.fill(std::move(shape), kTextInk);
     const double half = typeface.width(bar.text, bar.text_size) / 2.0;
     const Point left = bar.text_left();
     const TextLine text{bar.text, bar.text_size, {left.x + half, left.y}};
@@ -93,8 +94,8 @@ void draw_text(Canvas& canvas, const TextLine& line, TextDirection direction, Rg
         around.add_closed_line(outline, kHalo * line.size);
         letters.add_polygon(outline);
     }
-    canvas.fill(around, halo, kHaloOpacity);
-    canvas.fill(letters, ink);
+    canvas.fill(std::move(around), halo, kHaloOpacity);
+    canvas.fill(std::move(letters), ink);
 }
 
 void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) {
@@ -109,10 +110,10 @@ void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) 
     if (plan.scale_bar.length > 0.0) draw_scale_bar(canvas, plan.scale_bar, typeface);
 }
 
-std::string render_png(const FloorPlan& plan) {
+std::string render_png(const FloorPlan& plan, const Executor& executor) {
     Canvas canvas(plan.page_width, plan.page_height, kPaper);
     draw_plan(canvas, plan, Typeface());
-    return canvas.encode_png();
+    return canvas.encode_png(executor);
 }
 
 }  // namespace quadcut::io

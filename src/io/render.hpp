@@ -11,7 +11,7 @@
 namespace quadcut::io {
 
 /// The plan as an 8-bit RGB PNG. About 30 ns a pixel of the page.
-[[nodiscard]] std::string render_png(const FloorPlan& plan);
+[[nodiscard]] std::string render_png(const FloorPlan& plan, const Executor& executor = {});
 
 /// Draws the plan where it says it is; what is there already stays where the plan has nothing.
 void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface);

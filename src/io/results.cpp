@@ -17,7 +17,6 @@
 #include "io/geojson.hpp"
 #include "io/graph_json.hpp"
 #include "io/image.hpp"
-#include "io/label_image.hpp"
 #include "io/render.hpp"
 #include "io/room_places.hpp"
 #include "io/rooms_yaml.hpp"
@@ -35,8 +34,11 @@ void check_map(const GridMap& map) {
 
 Raster<std::uint16_t> on_map(const GridMap& map, const Raster<std::uint16_t>& from) {
     Raster<std::uint16_t> to(map.states.origin, map.states.width, map.states.height);
-    for (std::size_t i = 0; i < to.values.size(); ++i) {
-        if (from.contains(to.cell(i))) to.values[i] = from.at(to.cell(i));
+    const Box box = to.box().intersected(from.box());
+    if (box.is_empty()) return to;
+    for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
+        std::copy_n(&from.values[from.offset({box.low.x, y})], box.width(),
+                    &to.values[to.offset({box.low.x, y})]);
     }
     return to;
 }
@@ -65,14 +67,21 @@ void check_rooms(const Segmentation& segmentation) {
     if (!valid) throw std::logic_error("labels or doors name rooms that are not there");
 }
 
-/// Of each cell, the id of its room.
-Raster<std::uint16_t> ids_on_cells(const Segmentation& segmentation) {
-    Raster<std::uint16_t> ids = segmentation.labels;
-    for (std::uint16_t& value : ids.values) {
-        if (value == 0) continue;
-        value = static_cast<std::uint16_t>(index(segmentation.rooms[value - 1U].id));
+/// Of each cell, the id of its room, as an image turned upright.
+std::string encode_ids(const Segmentation& segmentation, const Executor& executor) {
+    std::vector<std::uint16_t> id_of{0};
+    for (const Room& room : segmentation.rooms) {
+        id_of.push_back(static_cast<std::uint16_t>(index(room.id)));
     }
-    return ids;
+    const Raster<std::uint16_t>& labels = segmentation.labels;
+    const auto fill_row = [&](std::int32_t y, std::span<std::uint16_t> samples) {
+        const std::size_t begin =
+            labels.offset({labels.origin.x, labels.origin.y + labels.height - 1 - y});
+        for (std::size_t x = 0; x < samples.size(); ++x) {
+            samples[x] = id_of[labels.values[begin + x]];
+        }
+    };
+    return encode_png({labels.width, labels.height, 1, 65535}, fill_row, executor);
 }
 
 /// A file and how to make its bytes.
@@ -82,9 +91,9 @@ struct Task {
 };
 
 /// Makes all files, as many at a time as there are threads, and adds them to the batch in order.
-void add_files(FileBatch& batch, const std::vector<Task>& tasks, int num_threads) {
+void add_files(FileBatch& batch, const std::vector<Task>& tasks, const Executor& executor) {
     std::vector<std::string> contents(tasks.size());
-    parallel_for(Executor{num_threads}, tasks.size(), 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(executor, tasks.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) contents[i] = tasks[i].make();
     });
     for (std::size_t i = 0; i < tasks.size(); ++i) batch.add(tasks[i].name, contents[i]);
@@ -125,18 +134,25 @@ void write_results(const std::filesystem::path& folder, const GridMap& map,
     FileBatch batch(folder);
     const std::vector<RoomPair> near_rooms = find_near_rooms(map, segmentation);
     const std::vector<Rgb> colors = room_colors(segmentation, near_rooms, info.previous_colors);
-    const FloorPlan plan = lay_out_floor_plan(map, segmentation, colors);
     MapKeys keys = info.map_keys;
     keys.image = "rooms.png";
+    const Executor executor{info.num_threads};
+    FloorPlan plan;
+    const auto draw = [&] {
+        plan = lay_out_floor_plan(map, segmentation, colors, executor);
+        return render_png(plan, executor);
+    };
+    // The picture first: it takes longest, and leaves threads to the others where it cannot use
+    // them itself.
     const std::vector<Task> tasks = {
-        {"rooms_color.png", [&] { return render_png(plan); }},
-        {"rooms.png", [&] { return encode_label_png(ids_on_cells(segmentation)); }},
+        {"rooms_color.png", draw},
         {"rooms.geojson", [&] { return to_geojson(map, segmentation, near_rooms, colors); }},
-        {"rooms.svg", [&] { return render_svg(plan); }},
+        {"rooms.png", [&] { return encode_ids(segmentation, executor); }},
         {"rooms.yaml", [&] { return to_rooms_yaml(map, keys, segmentation, colors); }},
         {"graph.json", [&] { return to_graph_json(segmentation); }},
     };
-    add_files(batch, tasks, info.num_threads);
+    add_files(batch, tasks, executor);
+    batch.add("rooms.svg", render_svg(plan));
 
     std::vector<std::pair<std::string, double>> stages_ms = segmentation.report.stages_ms;
     const auto now = std::chrono::steady_clock::now();

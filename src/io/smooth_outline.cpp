@@ -107,13 +107,22 @@ Line without_stairs(const Line& line) {
     return result;
 }
 
-double distance_to_line(HalfCell point, HalfCell a, HalfCell b) {
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double norm = std::hypot(dx, dy);
-    if (norm == 0.0) return std::hypot(point.x - a.x, point.y - a.y);
-    return std::abs(dx * (point.y - a.y) - dy * (point.x - a.x)) / norm;
-}
+/// How far points lie from the line through two points, or from the point if they are one.
+class DistanceToLine {
+public:
+    DistanceToLine(HalfCell a, HalfCell b)
+        : a_(a), dx_(b.x - a.x), dy_(b.y - a.y), norm_(std::hypot(dx_, dy_)) {}
+    [[nodiscard]] double operator()(HalfCell point) const {
+        if (norm_ == 0.0) return std::hypot(point.x - a_.x, point.y - a_.y);
+        return std::abs(dx_ * (point.y - a_.y) - dy_ * (point.x - a_.x)) / norm_;
+    }
+
+private:
+    HalfCell a_;
+    double dx_;
+    double dy_;
+    double norm_;
+};
 
 /// Douglas and Peucker 1973: keeps the ends, and the farthest point as long as it is too far.
 Line without_small_bends(const Line& line) {
@@ -124,10 +133,11 @@ Line without_small_bends(const Line& line) {
         const std::size_t first = open.back().first;
         const std::size_t last = open.back().second;
         open.pop_back();
+        const DistanceToLine distance(line[first], line[last]);
         std::size_t farthest = first;
         double most = kTolerance;
         for (std::size_t i = first + 1; i < last; ++i) {
-            const double d = distance_to_line(line[i], line[first], line[last]);
+            const double d = distance(line[i]);
             if (d > most) {
                 most = d;
                 farthest = i;

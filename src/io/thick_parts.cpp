@@ -4,42 +4,94 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace quadcut::io {
 namespace {
 
-/// Rows from the first to the last; in each, every cell becomes set if the `side` cells that end at
-/// it are set, along the row and then down the column: the upper right corners of full squares.
-void keep_square_ends(Raster<std::uint8_t>& mask, std::int32_t side) {
+constexpr std::size_t kRowsPerChunk = 32;
+constexpr std::size_t kColumnsPerChunk = 512;
+
+/// Calls `body(row)` for each row of the mask.
+template <typename Body>
+void for_each_row(Raster<std::uint8_t>& mask, const Executor& executor, const Body& body) {
     const auto width = static_cast<std::size_t>(mask.width);
-    std::vector<std::int32_t> column_run(width, side);  // As if rows of set cells came before.
-    for (std::size_t begin = 0; begin < mask.values.size(); begin += width) {
-        std::int32_t row_run = side;
-        for (std::size_t x = 0; x < width; ++x) {
-            std::uint8_t& cell = mask.values[begin + x];
-            row_run = cell != 0 ? row_run + 1 : 0;
-            column_run[x] = row_run >= side ? column_run[x] + 1 : 0;
-            cell = column_run[x] >= side ? 1 : 0;
-        }
+    parallel_for(executor, static_cast<std::size_t>(mask.height), kRowsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t y = first; y < last; ++y) {
+                         body(mask.values.data() + y * width);
+                     }
+                 });
+}
+
+/// The place of the next cell, from `begin` on, that is `value`, 0 or 1.
+std::size_t next_of(const std::uint8_t* row, std::size_t begin, std::size_t end, int value) {
+    const void* const found = std::memchr(row + begin, value, end - begin);
+    return found == nullptr
+               ? end
+               : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - row);
+}
+
+/// Calls `visit(begin, end)` for each run of set cells of a row, which it may change.
+template <typename Visitor>
+void for_each_run(const std::uint8_t* row, std::size_t width, const Visitor& visit) {
+    for (std::size_t begin = next_of(row, 0, width, 1); begin < width;) {
+        const std::size_t end = next_of(row, begin, width, 0);
+        const std::size_t next = next_of(row, end, width, 1);
+        visit(begin, end);
+        begin = next;
     }
 }
 
-/// Rows from the last to the first: every cell becomes set if one of the `side` cells from it on
-/// is.
-void fill_squares(Raster<std::uint8_t>& ends, std::int32_t side) {
-    const auto width = static_cast<std::size_t>(ends.width);
-    std::vector<std::int32_t> column_left(width, 0);
-    for (std::size_t begin = ends.values.size(); begin > 0;) {
-        begin -= width;
-        std::int32_t row_left = 0;
-        for (std::size_t x = width; x-- > 0;) {
-            std::uint8_t& cell = ends.values[begin + x];
-            row_left = cell != 0 ? side : std::max(row_left - 1, 0);
-            column_left[x] = row_left > 0 ? side : std::max(column_left[x] - 1, 0);
-            cell = column_left[x] > 0 ? 1 : 0;
+/// Every cell stays set only if the `side` cells that end at it are, along the row and then up the
+/// column: the upper right corners of full squares.
+void keep_square_ends(Raster<std::uint8_t>& mask, std::int32_t side, const Executor& executor) {
+    const auto width = static_cast<std::size_t>(mask.width);
+    const auto lost = static_cast<std::size_t>(side) - 1;
+    for_each_row(mask, executor, [&](std::uint8_t* row) {
+        for_each_run(row, width, [&](std::size_t begin, std::size_t end) {
+            if (begin == 0) return;  // As if set cells came before.
+            std::fill(row + begin, row + std::min(begin + lost, end), std::uint8_t{0});
+        });
+    });
+    parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
+        // The row of the last cell that is not set; as if rows of set cells came before.
+        std::vector<std::int32_t> columns(last - first, -side - 1);
+        std::int32_t* const last_unset = columns.data();
+        for (std::int32_t y = 0; y < mask.height; ++y) {
+            std::uint8_t* const row =
+                mask.values.data() + static_cast<std::size_t>(y) * width + first;
+            for (std::size_t x = 0; x < last - first; ++x) {
+                last_unset[x] = row[x] == 0 ? y : last_unset[x];
+                row[x] = y - last_unset[x] >= side ? 1 : 0;
+            }
         }
-    }
+    });
+}
+
+/// Every cell becomes set if one of the `side` cells from it on is, along the row and then up the
+/// column.
+void fill_squares(Raster<std::uint8_t>& ends, std::int32_t side, const Executor& executor) {
+    const auto width = static_cast<std::size_t>(ends.width);
+    const auto reach = static_cast<std::size_t>(side) - 1;
+    for_each_row(ends, executor, [&](std::uint8_t* row) {
+        for_each_run(row, width, [&](std::size_t begin, std::size_t) {
+            std::fill(row + (begin > reach ? begin - reach : 0), row + begin, std::uint8_t{1});
+        });
+    });
+    parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
+        std::vector<std::int32_t> columns(last - first, ends.height + side);
+        std::int32_t* const next_set = columns.data();
+        for (std::int32_t y = ends.height - 1; y >= 0; --y) {
+            std::uint8_t* const row =
+                ends.values.data() + static_cast<std::size_t>(y) * width + first;
+            for (std::size_t x = 0; x < last - first; ++x) {
+                next_set[x] = row[x] != 0 ? y : next_set[x];
+                row[x] = next_set[x] - y < side ? 1 : 0;
+            }
+        }
+    });
 }
 
 /// The mask with a border of `margin` set cells above and to the right. (On the lower and left
@@ -70,18 +122,20 @@ Raster<std::uint8_t> cropped(const Raster<std::uint8_t>& wide, std::int32_t widt
 
 }  // namespace
 
-Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask, std::int32_t side_cells) {
+Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask, std::int32_t side_cells,
+                                      const Executor& executor) {
     const std::int32_t side = std::max(side_cells, 1);
     Raster<std::uint8_t> wide = widened(mask, side);
-    keep_square_ends(wide, side);
-    fill_squares(wide, side);
+    keep_square_ends(wide, side, executor);
+    fill_squares(wide, side, executor);
     return cropped(wide, mask.width, mask.height, 0);
 }
 
-Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int32_t margin_cells) {
+Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int32_t margin_cells,
+                                     const Executor& executor) {
     const std::int32_t margin = std::max(margin_cells, 0);
     Raster<std::uint8_t> wide = widened(mask, margin);
-    keep_square_ends(wide, 2 * margin + 1);
+    keep_square_ends(wide, 2 * margin + 1, executor);
     return cropped(wide, mask.width, mask.height, margin);
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// on it 'F' furniture and 'I' its inside.
 std::vector<std::string> sorted(const test::DrawnFloor& floor) {
     const FloorCells cells = sort_floor_cells(floor.map, floor.segmentation.labels);
-    const Raster<std::uint32_t>& ground = cells.ground;
+    const Raster<std::uint16_t>& ground = cells.ground;
     std::vector<std::string> rows(static_cast<std::size_t>(ground.height),
                                   std::string(static_cast<std::size_t>(ground.width), ' '));
     for (std::size_t i = 0; i < ground.values.size(); ++i) {

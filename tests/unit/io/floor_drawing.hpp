@@ -67,10 +67,10 @@ inline DrawnFloor drawn_floor(const std::vector<std::string>& rows, std::int32_t
 }
 
 /// Letters as numbers, 'a' = 1; all else is 0.
-inline Raster<std::uint32_t> drawn_values(const std::vector<std::string>& rows) {
+inline Raster<std::uint16_t> drawn_values(const std::vector<std::string>& rows) {
     const DrawnFloor floor = drawn_floor(rows);
     const Raster<std::uint16_t>& labels = floor.segmentation.labels;
-    Raster<std::uint32_t> values(labels.origin, labels.width, labels.height);
+    Raster<std::uint16_t> values(labels.origin, labels.width, labels.height);
     std::copy(labels.values.begin(), labels.values.end(), values.values.begin());
     return values;
 }

@@ -8,8 +8,8 @@ namespace quadcut::io {
 namespace {
 
 /// Room 1: a rectangle in a raster with a margin of 5.
-Raster<std::uint32_t> room_of(std::int32_t width, std::int32_t height) {
-    Raster<std::uint32_t> ground({-5, -5}, width + 10, height + 10);
+Raster<std::uint16_t> room_of(std::int32_t width, std::int32_t height) {
+    Raster<std::uint16_t> ground({-5, -5}, width + 10, height + 10);
     for (std::int32_t y = 0; y < height; ++y) {
         for (std::int32_t x = 0; x < width; ++x) ground.at({x, y}) = 1;
     }
@@ -65,7 +65,7 @@ TEST(LabelPlacement, TurnsTheTextInANarrowRoom) {
 
 TEST(LabelPlacement, GoesToTheLabelPointWhereTheCentroidHasNoSpace) {
     // An L whose centroid lies outside of it.
-    Raster<std::uint32_t> ground({0, 0}, 300, 300);
+    Raster<std::uint16_t> ground({0, 0}, 300, 300);
     for (std::int32_t i = 0; i < 300 * 60; ++i) {
         ground.at({i % 300, i / 300}) = 1;
         ground.at({i / 300, i % 300}) = 1;

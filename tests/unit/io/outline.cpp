@@ -43,7 +43,7 @@ TEST(Outline, OfACellIsASquare) {
 }
 
 TEST(Outline, IsInTheRastersCoordinates) {
-    Raster<std::uint32_t> values({-7, 3}, 1, 1, 5);
+    Raster<std::uint16_t> values({-7, 3}, 1, 1, 5);
     const auto outlines = trace_outlines(values);
     ASSERT_EQ(outlines.size(), 1U);
     EXPECT_EQ(exact_rings(outlines[0]),
@@ -107,12 +107,12 @@ TEST(Outline, KeepsJunctionsOnStraightRuns) {
 }
 
 TEST(Outline, OfNothingIsEmpty) {
-    EXPECT_TRUE(trace_outlines(Raster<std::uint32_t>({0, 0}, 3, 2)).empty());
-    EXPECT_TRUE(trace_outlines(Raster<std::uint32_t>()).empty());
+    EXPECT_TRUE(trace_outlines(Raster<std::uint16_t>({0, 0}, 3, 2)).empty());
+    EXPECT_TRUE(trace_outlines(Raster<std::uint16_t>()).empty());
 }
 
 /// Paints a polygon with its holes by even-odd crossings of each cell's centre.
-void paint(const std::vector<std::vector<Cell>>& rings, Raster<std::uint32_t>& cells) {
+void paint(const std::vector<std::vector<Cell>>& rings, Raster<std::uint16_t>& cells) {
     for (std::size_t i = 0; i < cells.values.size(); ++i) {
         const Cell cell = cells.cell(i);
         int num_crossings = 0;
@@ -132,11 +132,11 @@ void paint(const std::vector<std::vector<Cell>>& rings, Raster<std::uint32_t>& c
 TEST(Outline, OfRandomRegionsIsExact) {
     Random random(3);
     for (int round = 0; round < 60; ++round) {
-        Raster<std::uint32_t> values({0, 0}, 14, 11);
-        for (std::uint32_t& value : values.values) {
+        Raster<std::uint16_t> values({0, 0}, 14, 11);
+        for (std::uint16_t& value : values.values) {
             value = static_cast<std::uint32_t>(random.below(3));
         }
-        Raster<std::uint32_t> covered({0, 0}, 14, 11);
+        Raster<std::uint16_t> covered({0, 0}, 14, 11);
         std::size_t num_cells = 0;
         for (const RegionOutline& outline : trace_outlines(values)) {
             const auto rings = exact_rings(outline);

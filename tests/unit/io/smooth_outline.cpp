@@ -17,8 +17,8 @@ namespace quadcut::io {
 namespace {
 
 /// The half plane under a line that rises by `rise` cells on 100, and 1 above.
-Raster<std::uint32_t> slanted(double rise) {
-    Raster<std::uint32_t> values({0, 0}, 100, 130, 2);
+Raster<std::uint16_t> slanted(double rise) {
+    Raster<std::uint16_t> values({0, 0}, 100, 130, 2);
     for (std::size_t i = 0; i < values.values.size(); ++i) {
         const Cell cell = values.cell(i);
         if (cell.y + 0.5 < 12.0 + (cell.x + 0.5) * rise / 100.0) values.values[i] = 1;
@@ -60,7 +60,7 @@ TEST(SmoothOutline, SharedBordersStayShared) {
     Random random(11);
     for (int round = 0; round < 40; ++round) {
         // Blobs: random seeds, each cell to its nearest.
-        Raster<std::uint32_t> values({0, 0}, 40, 30);
+        Raster<std::uint16_t> values({0, 0}, 40, 30);
         std::vector<Cell> seeds;
         for (int i = 0; i < 9; ++i) {
             seeds.push_back({static_cast<std::int32_t>(random.below(40)),
@@ -74,7 +74,7 @@ TEST(SmoothOutline, SharedBordersStayShared) {
                 const int dy = cell.y - seeds[s].y;
                 if (dx * dx + dy * dy >= least) continue;
                 least = dx * dx + dy * dy;
-                values.values[i] = static_cast<std::uint32_t>(s % 4 + 1);
+                values.values[i] = static_cast<std::uint16_t>(s % 4 + 1);
             }
         }
         // Every piece of border inside of the raster is walked once each way.
@@ -109,8 +109,8 @@ double distance_to_segment(double x, double y, HalfCell a, HalfCell b) {
 TEST(SmoothOutline, PassesEveryCornerWithinACell) {
     Random random(12);
     for (int round = 0; round < 30; ++round) {
-        Raster<std::uint32_t> values({0, 0}, 20, 20);
-        for (std::uint32_t& value : values.values) value = random.uniform() < 0.7 ? 1 : 0;
+        Raster<std::uint16_t> values({0, 0}, 20, 20);
+        for (std::uint16_t& value : values.values) value = random.uniform() < 0.7 ? 1 : 0;
         for (const RegionOutline& outline : trace_outlines(values)) {
             for (const OutlineRing& line : outline.rings) {
                 const std::vector<HalfCell> ring = smooth_ring(line);
