@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+
+// The OpenCL device against the CPU: the edge stage on maps, and the block product of the
+// eigensolver on the graphs of these; wall time, medians of rounds that take turns. And what the
+// roofline estimate says of the same maps on a GPU.
+//
+//   micro_opencl [-o FILE.json] [MAP ...]      maps as `quadcut segment` takes them
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "backends/opencl/accelerator.hpp"
+#include "backends/roofline.hpp"
+#include "io/map_server.hpp"
+#include "quadcut/graph/visibility.hpp"
+#include "quadcut/segment/free_leaves.hpp"
+#include "quadcut/spectral/laplacian.hpp"
+#include "sim/building.hpp"
+
+namespace quadcut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kRounds = 15;
+constexpr std::size_t kVectors = 30;
+
+double ms_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+/// The median time of each of some works that take turns, ms.
+std::vector<double> medians_ms(const std::vector<std::function<void()>>& works) {
+    std::vector<std::vector<double>> times(works.size());
+    for (std::size_t round = 0; round < kRounds; ++round) {
+        for (std::size_t i = 0; i < works.size(); ++i) times[i].push_back(ms_of(works[i]));
+    }
+    std::vector<double> medians;
+    for (std::vector<double>& of_one : times) {
+        std::sort(of_one.begin(), of_one.end());
+        medians.push_back(of_one[kRounds / 2]);
+    }
+    return medians;
+}
+
+/// The device, which must do what it is asked for.
+class Measured {
+public:
+    Measured()
+        : accelerator_({.accept_cpu = true}, [this](const std::string& why) { why_ = why; }) {}
+
+    std::vector<WeightedEdge> edges(const FreeLeaves& leaves, double resolution_m) {
+        auto found = accelerator_.sight_edges(leaves.table, leaves.nodes, resolution_m,
+                                              SelfLoops::own_weight);
+        if (!found.has_value()) throw std::runtime_error(why_);
+        return std::move(*found);
+    }
+    opencl::OpenClAccelerator& accelerator() { return accelerator_; }
+
+private:
+    std::string why_ = "declined";
+    opencl::OpenClAccelerator accelerator_;
+};
+
+Json on(const StageWork& work, MachineRates machine) {
+    const double with_start_s = stage_s(work, machine);
+    machine.start_s = 0.0;
+    return {{"ms", 1e3 * stage_s(work, machine)}, {"with_start_ms", 1e3 * with_start_s}};
+}
+
+Json measure(const std::string& name, const GridMap& map, Measured& device) {
+    const FreeLeaves leaves = free_leaves(map);
+    const double resolution_m = map.resolution_m;
+    const auto on_cpu = [&](int num_threads) {
+        return sight_edges(leaves.table, leaves.nodes, resolution_m, SelfLoops::own_weight,
+                           {num_threads});
+    };
+    const std::vector<WeightedEdge> edges = on_cpu(1);
+    const std::vector<WeightedEdge> of_device = device.edges(leaves, resolution_m);
+    const auto same = [](const WeightedEdge& p, const WeightedEdge& q) {
+        return p.a == q.a && p.b == q.b && p.weight == q.weight;
+    };
+    if (!std::equal(edges.begin(), edges.end(), of_device.begin(), of_device.end(), same)) {
+        throw std::runtime_error(name + ": the edges differ");
+    }
+    const std::vector<double> edge_ms =
+        medians_ms({[&] { (void)on_cpu(1).size(); }, [&] { (void)on_cpu(2).size(); },
+                    [&] { (void)device.edges(leaves, resolution_m).size(); }});
+    const opencl::Traffic traffic = device.accelerator().traffic();
+
+    const Laplacian laplacian(
+        build_graph(edges, leaf_areas_m2(leaves.table, leaves.nodes, resolution_m)),
+        LaplacianKind::degree);
+    std::vector<double> block(kVectors * laplacian.size());
+    for (std::size_t i = 0; i < block.size(); ++i) block[i] = std::sin(static_cast<double>(i));
+    std::vector<double> product(block.size());
+    const auto multiply = [&](const Executor& executor) {
+        return [&, executor] { laplacian.apply_block(block, product, executor); };
+    };
+    const std::vector<double> product_ms =
+        medians_ms({multiply({1}), multiply({2}), multiply({1, &device.accelerator()})});
+
+    const StageWork stage = edge_stage(leaves.nodes.size(), leaves.table.leaves().size(),
+                                       edges.size(), leaves.table.directory().values.size());
+    const StageWork block_work = block_product(laplacian.size(), 2 * edges.size(), kVectors);
+    Json json;
+    json["map"] = name;
+    json["num_nodes"] = leaves.nodes.size();
+    json["num_leaves"] = leaves.table.leaves().size();
+    json["num_tiles"] = leaves.table.directory().values.size();
+    json["num_edges"] = edges.size();
+    json["edges_ms"] = {{"cpu_1", edge_ms[0]}, {"cpu_2", edge_ms[1]}, {"device", edge_ms[2]}};
+    json["bytes_up"] = traffic.bytes_up;
+    json["bytes_down"] = traffic.bytes_down;
+    json["product_ms"] = {
+        {"cpu_1", product_ms[0]}, {"cpu_2", product_ms[1]}, {"device", product_ms[2]}};
+    json["estimate"] = {
+        {"bytes_up", stage.bytes_up},
+        {"bytes_down", stage.bytes_down},
+        {"edges_cpu_2_ms", 1e3 * edge_stage_on_cpu_s(edges.size(), 2)},
+        {"edges_discrete", on(stage, discrete_gpu())},
+        {"edges_integrated", on(stage, integrated_gpu())},
+        {"product_cpu_2_ms", 1e3 * block_product_on_cpu_s(2 * edges.size(), kVectors, 2)},
+        {"product_discrete", on(block_work, discrete_gpu())},
+        {"product_integrated", on(block_work, integrated_gpu())}};
+    return json;
+}
+
+void print(const Json& json) {
+    const auto number = [&](const char* pointer) {
+        return json.at(Json::json_pointer(pointer)).get<double>();
+    };
+    std::printf("%s: %.0f nodes, %.0f edges, %.2f MB up, %.2f MB down\n",
+                json["map"].get<std::string>().c_str(), number("/num_nodes"), number("/num_edges"),
+                1e-6 * number("/bytes_up"), 1e-6 * number("/bytes_down"));
+    for (const std::string kind : {"edges", "product"}) {
+        const std::string measured = "/" + kind + "_ms/";
+        const std::string estimate = "/estimate/" + kind + "_";
+        std::printf(
+            "  %-8s CPU %8.2f ms, two threads %8.2f ms, device %8.2f ms; estimate: two threads "
+            "%8.2f ms, discrete GPU %7.2f ms, integrated %7.2f ms\n",
+            kind.c_str(), number((measured + "cpu_1").c_str()),
+            number((measured + "cpu_2").c_str()), number((measured + "device").c_str()),
+            number((estimate + "cpu_2_ms").c_str()), number((estimate + "discrete/ms").c_str()),
+            number((estimate + "integrated/ms").c_str()));
+    }
+}
+
+std::vector<std::string> maps_to_measure() {
+    const std::filesystem::path folder(QUADCUT_SHARED_DIR);
+    std::vector<std::string> found;
+    for (const std::string_view name :
+         {"data/rooms/lab_intel.plain.yaml", "data/rooms/office_e.furnished.yaml",
+          "data/rooms/NLB.furnished.yaml", "data/rooms/kth_50015847.plain.yaml"}) {
+        if (std::filesystem::exists(folder / name)) found.push_back((folder / name).string());
+    }
+    return found;
+}
+
+/// A building that is larger than any of the data.
+GridMap large_building() {
+    sim::BuildingOptions options;
+    options.seed = 5001;
+    options.num_rooms = 400;
+    options.furniture = 0.5;
+    return sim::generate_building(options).map;
+}
+
+int run(const std::vector<std::string>& arguments) {
+    std::string output;
+    std::vector<std::string> maps;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == "-o" && i + 1 < arguments.size()) {
+            output = arguments[++i];
+        } else {
+            maps.push_back(arguments[i]);
+        }
+    }
+    const bool is_standard = maps.empty();
+    if (is_standard) maps = maps_to_measure();
+    Measured device;
+    FreeLeaves tiny =
+        free_leaves(GridMap{0.05, {}, Raster<CellState>({0, 0}, 8, 8, CellState::free)});
+    const double start_ms = ms_of([&] { (void)device.edges(tiny, 0.05).size(); });
+    std::printf("start: library, device, kernels, check: %.1f ms\n", start_ms);
+    Json all = {{"start_ms", start_ms}, {"maps", Json::array()}};
+    const auto add = [&](const std::string& name, const GridMap& map) {
+        all["maps"].push_back(measure(name, map, device));
+        print(all["maps"].back());
+    };
+    for (const std::string& path : maps) {
+        add(std::filesystem::path(path).filename().string(), io::read_map(path).map);
+    }
+    if (is_standard) add("building of 400 rooms", large_building());
+    if (!output.empty()) std::ofstream(output) << all.dump(2) << '\n';
+    return 0;
+}
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) {
+    try {
+        return quadcut::run(std::vector<std::string>(argv + 1, argv + argc));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "micro_opencl: %s\n", error.what());
+        return 2;
+    }
+}
