@@ -311,7 +311,7 @@ std::vector<Kernel> Device::build(std::string_view source,
                         [&opencl](void* p) { opencl.release_program(static_cast<cl_program>(p)); });
     std::string options = "-cl-std=CL1.2";
     if (fault_ == Fault::build) options += " -DScene=1";
-    if (fault_ == Fault::result) options += " -Dmin=max";
+    if (fault_ == Fault::result) options += " -DREACH2=400";
     status = opencl.build_program(program, 1, &device, options.c_str(), nullptr, nullptr);
     if (status != CL_SUCCESS) {
         std::string log(4096, '\0');
@@ -338,8 +338,11 @@ std::vector<Kernel> Device::build(std::string_view source,
 Buffer Device::allocate(std::size_t num_bytes, Placement placement) const {
     // No buffer is empty.
     Buffer buffer{{}, std::max<std::size_t>(num_bytes, 16)};
+    // The check against the CPU asks for less than this.
+    const bool is_refused =
+        fault_ == Fault::memory || (fault_ == Fault::late && num_bytes > std::size_t{1} << 18U);
     const std::size_t size =
-        fault_ == Fault::memory ? std::numeric_limits<std::size_t>::max() / 2 : buffer.num_bytes;
+        is_refused ? std::numeric_limits<std::size_t>::max() / 2 : buffer.num_bytes;
     const cl_mem_flags flags =
         CL_MEM_READ_WRITE | (placement == Placement::shared ? CL_MEM_ALLOC_HOST_PTR : 0);
     cl_int status = CL_SUCCESS;

@@ -32,6 +32,8 @@ enum class Fault : std::uint8_t {
     launch,
     /// Kernels that compute something else.
     result,
+    /// As `memory`, but not before the device has proved itself.
+    late,
 };
 
 /// A handle of the driver, given back with the last copy of it.

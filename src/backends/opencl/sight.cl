@@ -12,6 +12,11 @@
 #define NOTHING 0xFFFFFFFFu
 #define NO_LEAF 0xFF
 
+// Of eq. (3): 1.05 squared, times 20 squared. A test gives another.
+#ifndef REACH2
+#define REACH2 441
+#endif
+
 // As Leaf of map/leaf.hpp.
 typedef struct {
     int x;
@@ -266,7 +271,7 @@ static uint neighbour_at(__constant Scene* scene, __global const uint* directory
     const long dx = (2L * low->x + other_side) - (2L * leaf.x + side);
     const long dy = (2L * low->y + other_side) - (2L * leaf.y + side);
     const long sides = 2 * (side + other_side);
-    if (400 * (dx * dx + dy * dy) > 441 * sides * sides) return NOTHING;
+    if (400 * (dx * dx + dy * dy) > REACH2 * sides * sides) return NOTHING;
     const uint other = find_leaf(scene, directory, tiles, low->x, low->y);
     if (other == NOTHING || leaves[other].level != level) return NOTHING;
     // Rule 2: the coarser leaf comes first; of two equal ones, the earlier.
