@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 
 // The OpenCL device against the CPU: the edge stage on maps, and the block product of the
-// eigensolver on the graphs of these; wall time, medians of rounds that take turns. And what the
+// eigensolver on the graphs of these; wall time, the least of rounds that take turns. And what the
 // roofline estimate says of the same maps on a GPU.
 //
 //   micro_opencl [-o FILE.json] [MAP ...]      maps as `quadcut segment` takes them
@@ -16,8 +16,11 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -35,7 +38,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kRounds = 15;
+constexpr std::size_t kRounds = 25;
 constexpr std::size_t kVectors = 30;
 
 double ms_of(const std::function<void()>& work) {
@@ -45,18 +48,15 @@ double ms_of(const std::function<void()>& work) {
         .count();
 }
 
-/// The median time of each of some works that take turns, ms.
-std::vector<double> medians_ms(const std::vector<std::function<void()>>& works) {
-    std::vector<std::vector<double>> times(works.size());
+/// The shortest time of each of some works that take turns, ms.
+std::vector<double> shortest_ms(const std::vector<std::function<void()>>& works) {
+    std::vector<double> shortest(works.size(), std::numeric_limits<double>::infinity());
     for (std::size_t round = 0; round < kRounds; ++round) {
-        for (std::size_t i = 0; i < works.size(); ++i) times[i].push_back(ms_of(works[i]));
+        for (std::size_t i = 0; i < works.size(); ++i) {
+            shortest[i] = std::min(shortest[i], ms_of(works[i]));
+        }
     }
-    std::vector<double> medians;
-    for (std::vector<double>& of_one : times) {
-        std::sort(of_one.begin(), of_one.end());
-        medians.push_back(of_one[kRounds / 2]);
-    }
-    return medians;
+    return shortest;
 }
 
 /// The device, which must do what it is asked for.
@@ -100,8 +100,8 @@ Json measure(const std::string& name, const GridMap& map, Measured& device) {
         throw std::runtime_error(name + ": the edges differ");
     }
     const std::vector<double> edge_ms =
-        medians_ms({[&] { (void)on_cpu(1).size(); }, [&] { (void)on_cpu(2).size(); },
-                    [&] { (void)device.edges(leaves, resolution_m).size(); }});
+        shortest_ms({[&] { (void)on_cpu(1).size(); }, [&] { (void)on_cpu(2).size(); },
+                     [&] { (void)device.edges(leaves, resolution_m).size(); }});
     const opencl::Traffic traffic = device.accelerator().traffic();
 
     const Laplacian laplacian(
@@ -114,16 +114,19 @@ Json measure(const std::string& name, const GridMap& map, Measured& device) {
         return [&, executor] { laplacian.apply_block(block, product, executor); };
     };
     const std::vector<double> product_ms =
-        medians_ms({multiply({1}), multiply({2}), multiply({1, &device.accelerator()})});
+        shortest_ms({multiply({1}), multiply({2}), multiply({1, &device.accelerator()})});
 
-    const StageWork stage = edge_stage(leaves.nodes.size(), leaves.table.leaves().size(),
-                                       edges.size(), leaves.table.directory().values.size());
-    const StageWork block_work = block_product(laplacian.size(), 2 * edges.size(), kVectors);
+    const std::size_t num_entries = 2 * (edges.size() - leaves.nodes.size());
+    const EdgeStageSize size{leaves.nodes.size(), leaves.table.leaves().size(), edges.size(),
+                             leaves.table.directory().values.size(), leaves.table.tiles().size()};
+    const StageWork stage = edge_stage(size);
+    const StageWork block_work = block_product(laplacian.size(), num_entries, kVectors);
     Json json;
     json["map"] = name;
     json["num_nodes"] = leaves.nodes.size();
     json["num_leaves"] = leaves.table.leaves().size();
-    json["num_tiles"] = leaves.table.directory().values.size();
+    json["num_tiles"] = size.num_tiles;
+    json["num_mixed_tiles"] = size.num_mixed_tiles;
     json["num_edges"] = edges.size();
     json["edges_ms"] = {{"cpu_1", edge_ms[0]}, {"cpu_2", edge_ms[1]}, {"device", edge_ms[2]}};
     json["bytes_up"] = traffic.bytes_up;
@@ -136,7 +139,7 @@ Json measure(const std::string& name, const GridMap& map, Measured& device) {
         {"edges_cpu_2_ms", 1e3 * edge_stage_on_cpu_s(edges.size(), 2)},
         {"edges_discrete", on(stage, discrete_gpu())},
         {"edges_integrated", on(stage, integrated_gpu())},
-        {"product_cpu_2_ms", 1e3 * block_product_on_cpu_s(2 * edges.size(), kVectors, 2)},
+        {"product_cpu_2_ms", 1e3 * block_product_on_cpu_s(num_entries, kVectors, 2)},
         {"product_discrete", on(block_work, discrete_gpu())},
         {"product_integrated", on(block_work, integrated_gpu())}};
     return json;

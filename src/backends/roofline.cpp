@@ -9,8 +9,17 @@ namespace quadcut {
 namespace {
 
 // Measured on one thread of an AMD EPYC, docs/decisions/0016.
-constexpr double kCpuSightEdgesPerS = 1e7;
-constexpr double kCpuEntriesPerS = 5e8;
+constexpr double kCpuSightEdgesPerS = 1.5e7;
+constexpr double kCpuEntriesPerS = 1e9;
+// The four kernels on PoCL took 0.85 us of a core of 2.6 GHz for a free leaf: at two operations a
+// cycle. And what they touch: eight levels, two kernels, two sectors of 32 bytes.
+constexpr double kOperationsPerNode = 4500.0;
+constexpr double kMemoryBytesPerNode = 1000.0;
+
+// Not measured: lanes compute 64-bit integers in about four steps, and about one in four has work
+// while they wait for the longest line of sight among them; a driver's context and compiler.
+constexpr double kLaneEfficiency = 1.0 / 16.0;
+constexpr double kStartS = 0.2;
 
 }  // namespace
 
@@ -22,18 +31,17 @@ double stage_s(const StageWork& work, const MachineRates& machine) {
            std::max(inside_s, work.bytes_down / machine.link_bytes_per_s);
 }
 
-StageWork edge_stage(std::size_t num_nodes, std::size_t num_leaves, std::size_t num_edges,
-                     std::size_t num_tiles) {
-    const auto nodes = static_cast<double>(num_nodes);
-    const auto leaves = static_cast<double>(num_leaves);
-    const auto edges = static_cast<double>(num_edges);
-    const auto tiles = static_cast<double>(num_tiles);
+StageWork edge_stage(const EdgeStageSize& size) {
+    const auto nodes = static_cast<double>(size.num_nodes);
     StageWork work;
-    work.operations = 3000.0 * nodes;
-    work.bytes_up = 16.0 * leaves + 8.0 * nodes + 4.0 * tiles + 72.0 * tiles / 2;
-    work.bytes_down = 4.0 * nodes + 16.0 * edges;
-    work.memory_bytes = 2.0 * work.bytes_up + work.bytes_down;
-    work.num_launches = 4.0;
+    work.operations = kOperationsPerNode * nodes;
+    // What sight_stage.cpp sends and fetches.
+    work.bytes_up = 16.0 * static_cast<double>(size.num_leaves) + 8.0 * nodes +
+                    4.0 * static_cast<double>(size.num_tiles) +
+                    72.0 * static_cast<double>(size.num_mixed_tiles);
+    work.bytes_down = 4.0 * nodes + 16.0 * static_cast<double>(size.num_edges);
+    work.memory_bytes = kMemoryBytesPerNode * nodes + work.bytes_up + work.bytes_down;
+    work.num_launches = 4.0 + work.bytes_down / 1e6;
     return work;
 }
 
@@ -60,10 +68,15 @@ double block_product_on_cpu_s(std::size_t num_entries, std::size_t num_vectors, 
            (kCpuEntriesPerS * num_threads);
 }
 
-MachineRates discrete_gpu() { return {2e11, 2e11, 1e10, 1e-5, 0.2}; }
+MachineRates discrete_gpu() {
+    // 896 lanes at 1.66 GHz, 128 GB/s, PCI Express 3.0 x16 at 10 of its 15.8 GB/s.
+    return {896 * 1.66e9 * kLaneEfficiency, 128e9, 10e9, 1e-5, kStartS};
+}
 
 MachineRates integrated_gpu() {
-    return {5e10, 4e10, std::numeric_limits<double>::infinity(), 1e-5, 0.2};
+    // 256 lanes at 1.55 GHz, two channels of DDR4-3200.
+    return {256 * 1.55e9 * kLaneEfficiency, 51.2e9, std::numeric_limits<double>::infinity(), 1e-5,
+            kStartS};
 }
 
 }  // namespace quadcut

@@ -33,9 +33,18 @@ struct MachineRates {
 /// slowest of operations, memory and what comes down, which overlap. Seconds.
 [[nodiscard]] double stage_s(const StageWork& work, const MachineRates& machine);
 
-/// The edge stage: free leaves, all leaves, edges, 8 x 8-cell tiles of the leaf table.
-[[nodiscard]] StageWork edge_stage(std::size_t num_nodes, std::size_t num_leaves,
-                                   std::size_t num_edges, std::size_t num_tiles);
+/// A map, as the edge stage sees it.
+struct EdgeStageSize {
+    /// Free leaves, and all of them.
+    std::size_t num_nodes = 0;
+    std::size_t num_leaves = 0;
+    std::size_t num_edges = 0;
+    /// Of the leaf table's directory, and those of them that several leaves share.
+    std::size_t num_tiles = 0;
+    std::size_t num_mixed_tiles = 0;
+};
+
+[[nodiscard]] StageWork edge_stage(const EdgeStageSize& size);
 /// The product of a matrix with a block of vectors; the matrix goes up, too.
 [[nodiscard]] StageWork block_product(std::size_t num_rows, std::size_t num_entries,
                                       std::size_t num_vectors);

@@ -32,8 +32,8 @@ std::optional<std::vector<WeightedEdge>> OpenClAccelerator::sight_edges(
     const LeafTable& table, std::span<const LeafId> nodes, double resolution_m,
     SelfLoops self_loops) {
     const std::size_t num_edges = kEdgesPerNode * nodes.size();
-    const StageWork work =
-        edge_stage(nodes.size(), table.leaves().size(), num_edges, table.directory().values.size());
+    const StageWork work = edge_stage({nodes.size(), table.leaves().size(), num_edges,
+                                       table.directory().values.size(), table.tiles().size()});
     std::vector<WeightedEdge> edges;
     const bool is_done = run(work, edge_stage_on_cpu_s(num_edges, kCpuThreads), [&](Ready& ready) {
         edges = ready.sight.find(table, nodes, resolution_m, self_loops);

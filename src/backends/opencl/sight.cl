@@ -67,8 +67,9 @@ typedef struct {
     int free_state;
 } Scene;
 
+// The leaf of a cell, if it has at least this level.
 static uint find_leaf(__constant Scene* scene, __global const uint* directory,
-                      __global const Tile* tiles, int x, int y) {
+                      __global const Tile* tiles, int x, int y, int level) {
     const int column = (x >> 3) - scene->directory_x;
     const int row = (y >> 3) - scene->directory_y;
     if (column < 0 || row < 0 || column >= scene->directory_width ||
@@ -77,6 +78,8 @@ static uint find_leaf(__constant Scene* scene, __global const uint* directory,
     }
     const uint entry = directory[(size_t)row * (uint)scene->directory_width + (uint)column];
     if ((entry & MIXED) == 0u || entry == NOTHING) return entry;
+    // A tile that leaves share has none as large as a tile.
+    if (level >= 3) return NOTHING;
     __global const Tile* tile = tiles + (entry & ~MIXED);
     const uchar offset = tile->offsets[(y & 7) * 8 + (x & 7)];
     return offset == NO_LEAF ? NOTHING : tile->first_leaf + offset;
@@ -105,7 +108,7 @@ __kernel void block_bits(__constant Scene* scene, __global const uint* directory
         while (along <= last) {
             const int x = upright ? across : along;
             const int y = upright ? along : across;
-            const uint id = find_leaf(scene, directory, tiles, x, y);
+            const uint id = find_leaf(scene, directory, tiles, x, y, 0);
             int next = along + 1;
             if (id != NOTHING) {
                 __global const Leaf* leaf = leaves + id;
@@ -272,7 +275,7 @@ static uint neighbour_at(__constant Scene* scene, __global const uint* directory
     const long dy = (2L * low->y + other_side) - (2L * leaf.y + side);
     const long sides = 2 * (side + other_side);
     if (400 * (dx * dx + dy * dy) > REACH2 * sides * sides) return NOTHING;
-    const uint other = find_leaf(scene, directory, tiles, low->x, low->y);
+    const uint other = find_leaf(scene, directory, tiles, low->x, low->y, level);
     if (other == NOTHING || leaves[other].level != level) return NOTHING;
     // Rule 2: the coarser leaf comes first; of two equal ones, the earlier.
     if (step == 0 && other > id) return NOTHING;

@@ -123,6 +123,19 @@ TEST_F(OpenClDevice, EdgesThatComeDownInManyParts) {
     EXPECT_GT(device.traffic().bytes_down, std::size_t{4} << 20U);
 }
 
+TEST_F(OpenClDevice, TrafficIsAsEstimated) {
+    Random random(167);
+    const LeafTable table = test::table_of(test::random_map(random, 256, 0.05));
+    const std::vector<LeafId> nodes = test::free_leaves(table);
+    const auto edges = device.sight_edges(table, nodes, 0.05, SelfLoops::own_weight);
+    ASSERT_TRUE(edges.has_value());
+    const StageWork work = edge_stage({nodes.size(), table.leaves().size(), edges->size(),
+                                       table.directory().values.size(), table.tiles().size()});
+    EXPECT_EQ(static_cast<double>(device.traffic().bytes_down), work.bytes_down);
+    // The table of weights and the map's extent are not in the estimate.
+    EXPECT_NEAR(static_cast<double>(device.traffic().bytes_up), work.bytes_up, 8300.0);
+}
+
 TEST_F(OpenClDevice, EdgesOfLargeLeavesBesideSmallOnes) {
     test::States states(Cell{-2048, 0}, 2048, 2048, CellState::free);
     Random random(164);
