@@ -165,6 +165,22 @@ void print(const Json& json) {
     }
 }
 
+/// Free leaves from which on a machine that has yet to start beats two threads, to a tenth; maps
+/// like one that was measured. 0: never.
+double smallest_that_pays(const Json& json, const MachineRates& machine) {
+    for (double factor = 0.01; factor < 1e5; factor *= 1.1) {
+        const auto scaled = [&](const char* name) {
+            return static_cast<std::size_t>(factor * json.at(name).get<double>());
+        };
+        const EdgeStageSize size{scaled("num_nodes"), scaled("num_leaves"), scaled("num_edges"),
+                                 scaled("num_tiles"), scaled("num_mixed_tiles")};
+        if (stage_s(edge_stage(size), machine) < edge_stage_on_cpu_s(size.num_edges, 2)) {
+            return static_cast<double>(size.num_nodes);
+        }
+    }
+    return 0.0;
+}
+
 std::vector<std::string> maps_to_measure() {
     const std::filesystem::path folder(QUADCUT_SHARED_DIR);
     std::vector<std::string> found;
@@ -211,6 +227,13 @@ int run(const std::vector<std::string>& arguments) {
         add(std::filesystem::path(path).filename().string(), io::read_map(path).map);
     }
     if (is_standard) add("building of 400 rooms", large_building());
+    for (const auto& [name, machine] :
+         {std::pair{"discrete", discrete_gpu()}, std::pair{"integrated", integrated_gpu()}}) {
+        const double pays_from = smallest_that_pays(all["maps"].back(), machine);
+        std::printf("estimate: with its start, a GPU (%s) pays from %.0f free leaves (0: never)\n",
+                    name, pays_from);
+        all["pays_from_nodes"][name] = pays_from;
+    }
     if (!output.empty()) std::ofstream(output) << all.dump(2) << '\n';
     return 0;
 }

@@ -21,6 +21,7 @@ using DeviceNote = std::function<void(const std::string& reason)>;
 /// The accelerator for a choice; null for the CPU. Nothing is looked for before the first call that
 /// may pay, so this costs nothing. Whatever fails from then on, the device's absence included, is
 /// noted, and the CPU does the work. In a build without OpenCL that is noted at once.
-[[nodiscard]] std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, DeviceNote note);
+[[nodiscard]] std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind,
+                                                            const DeviceNote& note);
 
 }  // namespace quadcut

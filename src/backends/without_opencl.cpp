@@ -6,7 +6,7 @@
 
 namespace quadcut {
 
-std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, DeviceNote note) {
+std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, const DeviceNote& note) {
     if (kind != DeviceKind::cpu && note) note("this quadcut was built without OpenCL");
     return nullptr;
 }

@@ -107,12 +107,12 @@ void OpenClAccelerator::note_once(const std::string& reason) {
 
 namespace quadcut {
 
-std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, DeviceNote note) {
+std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, const DeviceNote& note) {
     if (kind == DeviceKind::cpu) return nullptr;
     opencl::AcceleratorOptions options;
     options.accept_cpu = kind == DeviceKind::gpu;
     options.only_if_it_pays = kind == DeviceKind::automatic;
-    return std::make_unique<opencl::OpenClAccelerator>(options, std::move(note));
+    return std::make_unique<opencl::OpenClAccelerator>(options, note);
 }
 
 }  // namespace quadcut

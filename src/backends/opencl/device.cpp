@@ -185,7 +185,7 @@ Event event_of(const Library& library, cl_int status, cl_event event, const char
 
 void Kernel::set_one(std::uint32_t place, const Buffer& buffer) {
     cl_mem memory = memory_of(buffer);
-    set_bytes(place, static_cast<const void*>(&memory), sizeof memory);
+    set_bytes(place, static_cast<const void*>(&memory), sizeof(void*));
 }
 
 void Kernel::set_bytes(std::uint32_t place, const void* bytes, std::size_t num_bytes) {

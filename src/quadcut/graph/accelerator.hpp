@@ -28,9 +28,6 @@ struct MatrixRows {
 /// call it.
 class Accelerator {
 public:
-    Accelerator() = default;
-    Accelerator(const Accelerator&) = delete;
-    Accelerator& operator=(const Accelerator&) = delete;
     virtual ~Accelerator() = default;
 
     /// sight_edges() of the same arguments, which are as it asks for; nothing = declined.
