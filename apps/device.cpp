@@ -27,13 +27,14 @@ Flag device_flag() {
     return flag_of(device_fields(kind)[0], "NAME");
 }
 
-RunDevice::RunDevice(const Arguments& arguments)
+RunDevice::RunDevice(const Arguments& arguments, const SegmentOptions& options)
     : notes_(std::make_unique<std::vector<std::string>>()) {
     if (const std::optional<std::string> text = arguments.value(kDeviceFlag)) {
         io::set_option(device_fields(kind_), "device", *text);
     }
     accelerator_ = make_accelerator(
-        kind_, [notes = notes_.get()](const std::string& reason) { notes->push_back(reason); });
+        kind_, static_cast<int>(options.num_threads),
+        [notes = notes_.get()](const std::string& reason) { notes->push_back(reason); });
 }
 
 void RunDevice::print_notes(const SegmentOptions& options) const {

@@ -109,7 +109,7 @@ void run(const Arguments& arguments) {
     const std::vector<OptionField> more = play_fields(play);
     fields.insert(fields.end(), more.begin(), more.end());
     set_fields(arguments, fields);
-    const RunDevice device(arguments);
+    const RunDevice device(arguments, options.segment);
     options.segment.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });

@@ -156,7 +156,7 @@ void run(const Arguments& arguments) {
     const std::vector<OptionField> fields = option_fields(options);
     set_fields(arguments, fields);
     options.with_hierarchy = arguments.has(kHierarchyFlag);
-    const RunDevice device(arguments);
+    const RunDevice device(arguments, options);
     options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });

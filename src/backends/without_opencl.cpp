@@ -6,7 +6,8 @@
 
 namespace quadcut {
 
-std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, const DeviceNote& note) {
+std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, int /*num_threads*/,
+                                              const DeviceNote& note) {
     if (kind != DeviceKind::cpu && note) note("this quadcut was built without OpenCL");
     return nullptr;
 }

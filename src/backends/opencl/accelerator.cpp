@@ -11,10 +11,8 @@
 namespace quadcut::opencl {
 namespace {
 
-/// Sight edges a free leaf has, about, on maps of buildings (docs/decisions/0003).
-constexpr std::size_t kEdgesPerNode = 5;
-/// Against so many threads a device has to win.
-constexpr int kCpuThreads = 2;
+/// Sight edges a free leaf has, about, on maps of buildings, its loop with them.
+constexpr std::size_t kEdgesPerNode = 6;
 
 }  // namespace
 
@@ -35,10 +33,11 @@ std::optional<std::vector<WeightedEdge>> OpenClAccelerator::sight_edges(
     const StageWork work = edge_stage({nodes.size(), table.leaves().size(), num_edges,
                                        table.directory().values.size(), table.tiles().size()});
     std::vector<WeightedEdge> edges;
-    const bool is_done = run(work, edge_stage_on_cpu_s(num_edges, kCpuThreads), [&](Ready& ready) {
-        edges = ready.sight.find(table, nodes, resolution_m, self_loops);
-        return true;
-    });
+    const bool is_done =
+        run(work, edge_stage_on_cpu_s(num_edges, options_.num_threads), [&](Ready& ready) {
+            edges = ready.sight.find(table, nodes, resolution_m, self_loops);
+            return true;
+        });
     if (!is_done) return std::nullopt;
     return edges;
 }
@@ -47,7 +46,8 @@ bool OpenClAccelerator::multiply(const MatrixRows& matrix, std::span<const doubl
                                  std::span<double> result) {
     const std::size_t num_vectors = block.size() / std::max<std::size_t>(1, matrix.diagonal.size());
     const StageWork work = block_product(matrix.diagonal.size(), matrix.values.size(), num_vectors);
-    const double cpu_s = block_product_on_cpu_s(matrix.values.size(), num_vectors, kCpuThreads);
+    const double cpu_s =
+        block_product_on_cpu_s(matrix.values.size(), num_vectors, options_.num_threads);
     return run(work, cpu_s, [&](Ready& ready) {
         if (!ready.product.has_value()) {
             note_once(ready.device.name() +
@@ -107,11 +107,13 @@ void OpenClAccelerator::note_once(const std::string& reason) {
 
 namespace quadcut {
 
-std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, const DeviceNote& note) {
+std::unique_ptr<Accelerator> make_accelerator(DeviceKind kind, int num_threads,
+                                              const DeviceNote& note) {
     if (kind == DeviceKind::cpu) return nullptr;
     opencl::AcceleratorOptions options;
     options.accept_cpu = kind == DeviceKind::gpu;
     options.only_if_it_pays = kind == DeviceKind::automatic;
+    options.num_threads = num_threads;
     return std::make_unique<opencl::OpenClAccelerator>(options, note);
 }
 

@@ -25,6 +25,8 @@ struct AcceleratorOptions {
     bool accept_cpu = false;
     /// Whether work that would not pay is declined.
     bool only_if_it_pays = false;
+    /// Of the CPU, for that.
+    int num_threads = 2;
     /// For tests.
     Fault fault = Fault::none;
 };
