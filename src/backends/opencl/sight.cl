@@ -240,12 +240,40 @@ static bool sees(__constant Scene* scene, __global const ulong* bits, long ax, l
     return slope_is_clear(&view, falls, u, w, du, falls ? -rise : rise, u_first, u_last);
 }
 
-// The places where node `leaf` may have a neighbour `step` levels up: 13 of its own level (its own
-// place among them), or the 3 x 3 blocks around it. Where a neighbour of eq. (3) can lie.
-static int num_places(int step) { return step == 0 ? 13 : 9; }
+// Where a leaf may have neighbours so many levels up: at 13 places of its own level (its own place
+// among them), or at the 3 x 3 blocks around the one that holds it.
+typedef struct {
+    // The block of that level that holds the leaf.
+    int x;
+    int y;
+    int side;
+    int level;
+    int num_places;
+    // From the leaf's centre to the block's, half cells.
+    long dx;
+    long dy;
+    // Eq. (3), 400 d^2 <= 441 (2 s_i + 2 s_j)^2, divided by four.
+    long reach;
+} Ring;
 
-static int2 offset_of(int step, int place) {
-    if (step != 0) return (int2)(place % 3 - 1, place / 3 - 1);
+static Ring ring_around(__constant Scene* scene, Leaf leaf, int step) {
+    Ring ring;
+    ring.level = leaf.level + step;
+    ring.side = 1 << ring.level;
+    ring.num_places = step == 0 ? 13 : 9;
+    // Blocks are aligned with the root.
+    ring.x = leaf.x - ((leaf.x - scene->root_x) & (ring.side - 1));
+    ring.y = leaf.y - ((leaf.y - scene->root_y) & (ring.side - 1));
+    const int side = 1 << leaf.level;
+    ring.dx = 2L * (ring.x - leaf.x) + ring.side - side;
+    ring.dy = 2L * (ring.y - leaf.y) + ring.side - side;
+    const long sides = (long)side + ring.side;
+    ring.reach = REACH2 * sides * sides;
+    return ring;
+}
+
+static int2 offset_of(int num_places, int place) {
+    if (num_places == 9) return (int2)(place % 3 - 1, place / 3 - 1);
     // 1, 3, 5, 3, 1 places in the rows from two below to two above.
     if (place == 0) return (int2)(0, -2);
     if (place < 4) return (int2)(place - 2, -1);
@@ -254,31 +282,23 @@ static int2 offset_of(int step, int place) {
     return (int2)(0, 2);
 }
 
-// The node that is the leaf of level `level` at a place near `leaf`, or NOTHING; that is also the
-// answer when eq. (3) or rule 2 forbid the pair.
+// The node that is the leaf at a place of a ring around leaf `id`, or NOTHING; that is also the
+// answer where eq. (3) or rule 2 forbid the pair. Its lower left cell comes out in `low`.
 static uint neighbour_at(__constant Scene* scene, __global const uint* directory,
                          __global const Tile* tiles, __global const Leaf* leaves,
-                         __global const uint* node_of_leaf, uint id, Leaf leaf, int step, int place,
+                         __global const uint* node_of_leaf, uint id, const Ring* ring, int place,
                          int2* low) {
-    const int level = leaf.level + step;
-    const int2 offset = offset_of(step, place);
+    const int2 offset = offset_of(ring->num_places, place);
     if (offset.x == 0 && offset.y == 0) return NOTHING;
-    // Blocks are aligned with the root.
-    const int x = ((leaf.x - scene->root_x) >> level) + offset.x;
-    const int y = ((leaf.y - scene->root_y) >> level) + offset.y;
-    low->x = x * (1 << level) + scene->root_x;
-    low->y = y * (1 << level) + scene->root_y;
-    // Eq. (3), as in graph/visibility.cpp.
-    const long side = 1L << leaf.level;
-    const long other_side = 1L << level;
-    const long dx = (2L * low->x + other_side) - (2L * leaf.x + side);
-    const long dy = (2L * low->y + other_side) - (2L * leaf.y + side);
-    const long sides = 2 * (side + other_side);
-    if (400 * (dx * dx + dy * dy) > REACH2 * sides * sides) return NOTHING;
-    const uint other = find_leaf(scene, directory, tiles, low->x, low->y, level);
-    if (other == NOTHING || leaves[other].level != level) return NOTHING;
+    const long dx = ring->dx + 2L * ring->side * offset.x;
+    const long dy = ring->dy + 2L * ring->side * offset.y;
+    if (100 * (dx * dx + dy * dy) > ring->reach) return NOTHING;
+    low->x = ring->x + ring->side * offset.x;
+    low->y = ring->y + ring->side * offset.y;
+    const uint other = find_leaf(scene, directory, tiles, low->x, low->y, ring->level);
+    if (other == NOTHING || leaves[other].level != ring->level) return NOTHING;
     // Rule 2: the coarser leaf comes first; of two equal ones, the earlier.
-    if (step == 0 && other > id) return NOTHING;
+    if (ring->num_places == 13 && other > id) return NOTHING;
     return node_of_leaf[other];
 }
 
@@ -295,14 +315,14 @@ __kernel void see_edges(__constant Scene* scene, __global const uint* directory,
     const Leaf leaf = leaves[id];
     ushort mask = 0;
     if (leaf.level + step <= scene->max_level) {
+        const Ring ring = ring_around(scene, leaf, step);
         const long side = 1L << leaf.level;
-        const long other_side = side << step;
-        for (int place = 0; place < num_places(step); ++place) {
+        for (int place = 0; place < ring.num_places; ++place) {
             int2 low;
-            const uint other = neighbour_at(scene, directory, tiles, leaves, node_of_leaf, id, leaf,
-                                            step, place, &low);
+            const uint other = neighbour_at(scene, directory, tiles, leaves, node_of_leaf, id,
+                                            &ring, place, &low);
             if (other == NOTHING) continue;
-            if (!sees(scene, bits, 2L * low.x + other_side, 2L * low.y + other_side, other_side,
+            if (!sees(scene, bits, 2L * low.x + ring.side, 2L * low.y + ring.side, ring.side,
                       2L * leaf.x + side, 2L * leaf.y + side, side)) {
                 continue;
             }
@@ -326,11 +346,12 @@ __kernel void place_edges(__constant Scene* scene, __global const uint* director
     const uint id = nodes[node];
     const Leaf leaf = leaves[id];
     const uint mask = seen[(size_t)step * scene->num_nodes + node];
+    const Ring ring = ring_around(scene, leaf, step);
     for (int place = 0; place < 13; ++place) {
         if ((mask >> place & 1u) == 0u) continue;
         int2 low;
-        const uint other = neighbour_at(scene, directory, tiles, leaves, node_of_leaf, id, leaf,
-                                        step, place, &low);
+        const uint other = neighbour_at(scene, directory, tiles, leaves, node_of_leaf, id, &ring,
+                                        place, &low);
         pairs[row_begin[other] + atomic_dec(counts + other) - 1u] = (uint2)(other, node);
     }
     if (step == 0 && scene->loops != 0) {
