@@ -108,6 +108,17 @@ Json on(const StageWork& work, MachineRates machine) {
     return {{"ms", 1e3 * stage_s(work, machine)}, {"with_start_ms", 1e3 * with_start_s}};
 }
 
+/// Edges with the same first end, which are together: finish_edges is quadratic in them.
+std::size_t longest_row(const std::vector<WeightedEdge>& edges) {
+    std::size_t longest = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (edges[i].a != edges[first].a) first = i;
+        longest = std::max(longest, i + 1 - first);
+    }
+    return longest;
+}
+
 Json measure(const std::string& name, const GridMap& map, Measured& device) {
     const FreeLeaves leaves = free_leaves(map);
     const double resolution_m = map.resolution_m;
@@ -152,6 +163,7 @@ Json measure(const std::string& name, const GridMap& map, Measured& device) {
     json["num_tiles"] = size.num_tiles;
     json["num_mixed_tiles"] = size.num_mixed_tiles;
     json["num_edges"] = edges.size();
+    json["longest_row"] = longest_row(edges);
     json["edges_ms"] = as_json(edge_times);
     json["bytes_up"] = traffic.bytes_up;
     json["bytes_down"] = traffic.bytes_down;
