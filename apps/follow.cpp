@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/device.hpp"
 #include "apps/follow_session.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
@@ -108,6 +109,8 @@ void run(const Arguments& arguments) {
     const std::vector<OptionField> more = play_fields(play);
     fields.insert(fields.end(), more.begin(), more.end());
     set_fields(arguments, fields);
+    const RunDevice device(arguments, options.segment);
+    options.segment.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     const PosedLog log = read_posed_log(arguments.operands[0], poses_of(arguments), clock);
@@ -148,6 +151,7 @@ void run(const Arguments& arguments) {
     const std::vector<std::string> files = write(folder, follower, rooms, session.updates(), info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
+    device.print_notes(options.segment);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     print_summary(rooms, std::nullopt, elapsed.count(), io::display_name(folder), files,
@@ -175,6 +179,7 @@ Command follow_command() {
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
         flag_of(fields, "threads", "N"),
+        device_flag(),
         {std::string(kSetFlag), "", "NAME=VALUE",
          "any other option ('quadcut options' lists them); may be repeated"},
         json_flag(),

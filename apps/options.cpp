@@ -4,9 +4,11 @@
 
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/device.hpp"
 #include "apps/option_help.hpp"
 #include "io/option_text.hpp"
 #include "quadcut/base/option_field.hpp"
@@ -54,7 +56,9 @@ std::string as_markdown(const std::vector<OptionField>& fields, const CommandFor
 
 void run(const Arguments& arguments) {
     SegmentOptions defaults;
-    const std::vector<OptionField> fields = option_fields(defaults);
+    std::vector<OptionField> fields = option_fields(defaults);
+    DeviceKind kind = DeviceKind::cpu;
+    for (OptionField& field : device_fields(kind)) fields.push_back(std::move(field));
     std::cout << (arguments.has("--markdown") ? as_markdown(fields, segment_command().form)
                                               : as_text(fields));
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/device.hpp"
 #include "apps/input_kind.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
@@ -155,6 +156,8 @@ void run(const Arguments& arguments) {
     const std::vector<OptionField> fields = option_fields(options);
     set_fields(arguments, fields);
     options.with_hierarchy = arguments.has(kHierarchyFlag);
+    const RunDevice device(arguments, options);
+    options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
@@ -185,6 +188,7 @@ void run(const Arguments& arguments) {
 
     progress.wipe();
     print_warnings(rooms.report.warnings);
+    device.print_notes(options);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     print_summary(rooms, info.events, elapsed.count(), io::display_name(folder), files,
@@ -213,11 +217,11 @@ Command segment_command() {
                    "an earlier result of the building: rooms that are the same keep id and name; "
                    "may be the folder of -o"},
                   flag_of(fields, "threads", "N"),
+                  device_flag(),
                   {std::string(kSetFlag), "", "NAME=VALUE",
                    "any other option ('quadcut options' lists them); may be repeated"},
                   json_flag(),
                   quiet_flag()};
-    form.planned_flags = {"--device"};
     return {form, run};
 }
 

@@ -217,8 +217,6 @@ TEST(RefusedCommandLine, MissingOutput) {
 
 TEST(RefusedCommandLine, WhatIsNotBuiltYet) {
     const Folder folder;
-    const std::string map = folder.write("map.pgm", office_pgm());
-    expect_refused(folder, {"segment", map, "--device=gpu"}, {"--device", "this version"});
     for (const std::string command : {"export", "reproduce", "serve"}) {
         expect_refused(folder, {command, "x"}, {command, "this version"});
     }

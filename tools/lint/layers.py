@@ -18,7 +18,8 @@ MAY_INCLUDE = {
     "io": CORE,
     "sim": CORE | {"io"},
     "store": CORE | {"io"},
-    "apps": CORE | {"io", "sim", "store"},
+    "backends": CORE,
+    "apps": CORE | {"io", "sim", "store", "backends"},
 }
 
 

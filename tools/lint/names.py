@@ -9,7 +9,7 @@ from source import SourceFile, Tree
 
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 COPYRIGHT = "SPDX-FileCopyrightText: The quadcut developers"
-LICENSED_SUFFIXES = {".cpp", ".hpp", ".py", ".sh", ".in", ".cmake", ".js", ".ts", ".css"}
+LICENSED_SUFFIXES = {".cpp", ".hpp", ".cl", ".py", ".sh", ".in", ".cmake", ".js", ".ts", ".css"}
 LICENSED_NAMES = {"CMakeLists.txt", "run"}
 FORBIDDEN_NAMES = {"util", "utils", "common", "helper", "helpers", "detail", "details", "misc"}
 LATER = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b")

@@ -7,9 +7,13 @@
 
 namespace quadcut {
 
-/// How many threads a call may use. The result never depends on it.
+class Accelerator;
+
+/// How many threads a call may use, and the device that may do parts of it (graph/accelerator.hpp);
+/// not owned. The result never depends on either.
 struct Executor {
     int num_threads = 1;
+    Accelerator* accelerator = nullptr;
 };
 
 /// Calls `body(first, last)` for consecutive chunks of 0 .. count, at most `chunk` long each. The

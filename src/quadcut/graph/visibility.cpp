@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
+#include "quadcut/graph/accelerator.hpp"
 #include "quadcut/graph/edge_rows.hpp"
 #include "quadcut/graph/line_of_sight.hpp"
 #include "quadcut/graph/node_index.hpp"
@@ -17,13 +19,6 @@ Box bounding_box(const LeafTable& table, std::span<const LeafId> nodes) {
     Box box;
     for (const LeafId id : nodes) box.include(table.leaf(id).box());
     return box;
-}
-
-double weight(double side_i_m, double side_j_m) {
-    // Eq. (2): w_ij = 1 / (eta (2^l_i + 2^l_j)). With eta = 1 / max(x_map, y_map) and a cell of
-    // layer l of side s = max(x_map, y_map) / 2^l this is w_ij = s_i s_j / (s_i + s_j), metres,
-    // whatever the size of the root.
-    return side_i_m * side_j_m / (side_i_m + side_j_m);
 }
 
 bool is_within_threshold(const Leaf& i, const Leaf& j) {
@@ -85,7 +80,7 @@ private:
         const std::int32_t other_side = other.side_cells();
         if (!blocked_.sees(centre(leaf), centre(other), side, other_side)) return;
         edges.push_back(
-            {node, *other_node, weight(side * resolution_m_, other_side * resolution_m_)});
+            {node, *other_node, sight_weight(side * resolution_m_, other_side * resolution_m_)});
     }
 
     const LeafTable& table_;
@@ -96,11 +91,22 @@ private:
 
 }  // namespace
 
+double sight_weight(double side_i_m, double side_j_m) {
+    // Eq. (2): w_ij = 1 / (eta (2^l_i + 2^l_j)). With eta = 1 / max(x_map, y_map) and a cell of
+    // layer l of side s = max(x_map, y_map) / 2^l this is w_ij = s_i s_j / (s_i + s_j), metres,
+    // whatever the size of the root.
+    return side_i_m * side_j_m / (side_i_m + side_j_m);
+}
+
 std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const LeafId> nodes,
                                       double resolution_m, SelfLoops self_loops,
                                       const Executor& executor) {
     const NodeIndex index(table, nodes);
     if (nodes.empty()) return {};
+    if (executor.accelerator != nullptr) {
+        auto edges = executor.accelerator->sight_edges(table, nodes, resolution_m, self_loops);
+        if (edges.has_value()) return std::move(*edges);
+    }
     const Box box = bounding_box(table, nodes);
     const BlockedCells blocked(table, box.low, box.high);
     const SightRow row(table, index, blocked, resolution_m);
@@ -113,7 +119,7 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
         const double side_m =
             resolution_m *
             (self_loops == SelfLoops::own_weight ? table.leaf(id).side_cells() : largest_side);
-        return weight(side_m, side_m);
+        return sight_weight(side_m, side_m);
     };
 
     return collect_edge_rows(nodes.size(), executor,

@@ -24,6 +24,9 @@ enum class SelfLoops : std::uint8_t {
     largest_weight,
 };
 
+/// The weight of the edge between two leaves of these sides, eq. (2), metres.
+[[nodiscard]] double sight_weight(double side_i_m, double side_j_m);
+
 /// The edges of the paper's graph G over a region of the map (Algorithm 2): pairs of leaves at most
 /// Th apart, eq. (3), that see each other, criterion 1 as in BlockedCells, with the weight of
 /// eq. (2), metres. Edge ends are positions in `nodes`; the coarser leaf comes first (rule 2; of

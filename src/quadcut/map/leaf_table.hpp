@@ -79,18 +79,22 @@ public:
         }
     }
 
-private:
+    // What is inside, for a device that reads it with its own code.
     static constexpr std::uint32_t kMixed = 0x8000'0000U;
     static constexpr std::uint32_t kNothing = 0xFFFF'FFFFU;
     static constexpr std::uint8_t kNoLeaf = 0xFF;
-
-    /// A tile that several leaves share. Cell (x, y) lies in leaf first_leaf + offsets[8 y + x].
+    /// A tile that several leaves share. Cell (x, y) lies in leaf first_leaf + offsets[8 y + x],
+    /// or in none where that is kNoLeaf.
     struct Tile {
         std::uint32_t first_leaf = 0;
         std::uint32_t num_leaves = 0;
         std::array<std::uint8_t, kTileCells> offsets{};
     };
+    /// For each tile the leaf that covers it, or kMixed plus its place in tiles(), or kNothing.
+    [[nodiscard]] const Raster<std::uint32_t>& directory() const { return directory_; }
+    [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
 
+private:
     [[nodiscard]] std::uint32_t entry_at(Cell tile) const {
         return directory_.contains(tile) ? directory_.at(tile) : kNothing;
     }

@@ -84,7 +84,8 @@ LocalWindow Follower::read_window(const Box& decided) const {
 
 void Follower::cut_window(const Box& decided, FollowUpdate& update) {
     const LocalWindow window = read_window(decided);
-    const Executor executor{static_cast<int>(options_.segment.num_threads)};
+    const Executor executor{static_cast<int>(options_.segment.num_threads),
+                            options_.segment.accelerator};
     outside_.clear();
     LocalCut cut = cut_locally(
         window, options_.segment,

@@ -74,6 +74,8 @@ struct SegmentOptions {
     std::size_t seed = 1;
     /// Whether the result carries the hierarchy of granularities; preset `rooms`.
     bool with_hierarchy = false;
+    /// Does parts of the work, with the same result; not owned.
+    Accelerator* accelerator = nullptr;
 };
 
 /// Every option by name, bound to the members of `options`, which must outlive the list.

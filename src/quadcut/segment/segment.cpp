@@ -139,7 +139,7 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
 Segmentation segment(const GridMap& map, const SegmentOptions& options,
                      std::span<const Point> trajectory, const StageCallback& on_stage) {
     StageClock clock(on_stage);
-    const Executor executor{static_cast<int>(options.num_threads)};
+    const Executor executor{static_cast<int>(options.num_threads), options.accelerator};
     Segmentation result =
         options.preset == Preset::rooms
             ? segment_rooms(map, options, trajectory, clock, executor)

@@ -59,10 +59,11 @@ void finish(const Laplacian& laplacian, const EigenOptions& options, const Execu
     if (!gram().isIdentity(kOrthonormal)) {
         throw NumericalError("eigensolver: the vectors are not orthonormal");
     }
+    MatrixXd products(vectors.rows(), vectors.cols());
+    laplacian.apply_block(pairs.vectors, {products.data(), pairs.vectors.size()}, executor);
     parallel_for(executor, pairs.size(), 1, [&](std::size_t j, std::size_t) {
-        VectorXd product(vectors.rows());
+        const auto product = products.col(static_cast<Index>(j));
         auto vector = vectors.col(static_cast<Index>(j));
-        laplacian.apply(pairs.vector(j), {product.data(), pairs.num_nodes});
         pairs.values[j] = std::max(0.0, vector.dot(product));
         pairs.residuals[j] = (product - pairs.values[j] * vector).norm();
         Index largest = 0;

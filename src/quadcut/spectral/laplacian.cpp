@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "quadcut/graph/accelerator.hpp"
+
 namespace quadcut {
 namespace {
 
@@ -87,6 +89,22 @@ void Laplacian::apply(std::span<const double> x, std::span<double> result,
             }
             result[i] = sum;
         }
+    });
+}
+
+void Laplacian::apply_block(std::span<const double> block, std::span<double> result,
+                            const Executor& executor) const {
+    if (block.empty() && result.empty()) return;
+    if (size() == 0 || block.size() % size() != 0 || result.size() != block.size()) {
+        throw std::logic_error("Laplacian::apply_block: a block has the wrong length");
+    }
+    Accelerator* const accelerator = executor.accelerator;
+    if (accelerator != nullptr &&
+        accelerator->multiply({diagonal_, row_begin_, columns_, values_}, block, result)) {
+        return;
+    }
+    parallel_for(executor, block.size() / size(), 1, [&](std::size_t j, std::size_t) {
+        apply(block.subspan(j * size(), size()), result.subspan(j * size(), size()));
     });
 }
 

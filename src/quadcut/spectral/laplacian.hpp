@@ -41,6 +41,11 @@ public:
     void apply(std::span<const double> x, std::span<double> result,
                const Executor& executor = {}) const;
 
+    /// The same for a block of vectors, one after the other. On the executor's accelerator when it
+    /// takes the work; the bits are those of apply().
+    void apply_block(std::span<const double> block, std::span<double> result,
+                     const Executor& executor = {}) const;
+
     [[nodiscard]] std::span<const double> diagonal() const { return diagonal_; }
     /// An upper bound of the largest eigenvalue: the largest absolute row sum, at most 2 where the
     /// kind promises that. Positive: 1 for a matrix of zeros.

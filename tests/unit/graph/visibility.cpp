@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/graph/fake_accelerator.hpp"
 #include "tests/unit/graph/small_map.hpp"
 
 namespace quadcut {
@@ -192,6 +193,24 @@ TEST(SightEdges, SameBytesOnOneAndManyThreads) {
             ASSERT_EQ(edges[i].weight, reference[i].weight);
         }
     }
+}
+
+TEST(SightEdges, AreTheAcceleratorsUnlessItDeclines) {
+    const LeafTable table = test::table_of(test::map_from_text({"..#.", "...."}));
+    const std::vector<LeafId> nodes = test::free_leaves(table);
+    test::FakeAccelerator willing(false);
+    const auto edges = sight_edges(table, nodes, 0.5, SelfLoops::none, {1, &willing});
+    ASSERT_EQ(edges.size(), 1U);
+    EXPECT_EQ(edges[0].weight, 9.0);
+    test::FakeAccelerator declining(true);
+    EXPECT_EQ(sight_edges(table, nodes, 0.5, SelfLoops::none, {1, &declining}).size(),
+              sight_edges(table, nodes, 0.5).size());
+    EXPECT_EQ(declining.num_calls, 1);
+    // It is asked for nothing, and for nothing that is wrong.
+    EXPECT_TRUE(sight_edges(table, {}, 0.5, SelfLoops::none, {1, &willing}).empty());
+    EXPECT_THROW((void)sight_edges(table, std::vector<LeafId>{LeafId{99}}, 0.5, {}, {1, &willing}),
+                 std::logic_error);
+    EXPECT_EQ(willing.num_calls, 1);
 }
 
 TEST(LeafAreas, AreInSquareMetres) {

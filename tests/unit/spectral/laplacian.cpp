@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/graph/fake_accelerator.hpp"
 #include "tests/unit/spectral/test_graphs.hpp"
 
 namespace quadcut {
@@ -110,6 +112,32 @@ TEST(Laplacian, SameBytesOnOneAndManyThreads) {
         laplacian.apply(x, result, {num_threads});
         EXPECT_EQ(result, reference);
     }
+}
+
+TEST(Laplacian, ABlockIsItsVectorsOneByOne) {
+    Random random(7);
+    const Laplacian laplacian(test::random_graph(random, 200, 2.0), LaplacianKind::degree);
+    const std::size_t size = laplacian.size();
+    std::vector<double> block(3 * size);
+    for (double& value : block) value = random.normal();
+    std::vector<double> expected(block.size());
+    for (std::size_t j = 0; j < 3; ++j) {
+        laplacian.apply(std::span(block).subspan(j * size, size),
+                        std::span(expected).subspan(j * size, size));
+    }
+    test::FakeAccelerator declining(true);
+    for (const Executor& executor : {Executor{1}, Executor{2}, Executor{1, &declining}}) {
+        std::vector<double> result(block.size());
+        laplacian.apply_block(block, result, executor);
+        EXPECT_EQ(result, expected);
+    }
+    EXPECT_EQ(declining.num_calls, 1);
+    test::FakeAccelerator willing(false);
+    std::vector<double> result(block.size());
+    laplacian.apply_block(block, result, {1, &willing});
+    EXPECT_EQ(result, std::vector<double>(block.size(), 9.0));
+    block.pop_back();
+    EXPECT_THROW(laplacian.apply_block(block, result), std::logic_error);
 }
 
 TEST(Laplacian, RefusesWhatIsNoGraph) {
