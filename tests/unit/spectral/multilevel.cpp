@@ -87,7 +87,7 @@ TEST(Coarsening, FollowsHeavyEdgesUpToTheVolume) {
 }
 
 TEST(MultilevelCut, CutsAtTheDoors) {
-    // 2,304 rooms of 49 cells: several levels, and none of a part's size.
+    // 2,304 rooms of 49 cells, 64 in a part: six levels.
     const auto plan = test::room_plan(48, 48, 7, test::Doors::open);
     const Graph graph = test::floor_graph(plan);
     const std::size_t num_rooms = 36;
@@ -142,7 +142,7 @@ TEST(MultilevelCut, NoPartIsEmptyOnAnyGraph) {
                 ASSERT_EQ(parts.size(), num_nodes);
                 const std::set<std::uint32_t> used(parts.begin(), parts.end());
                 ASSERT_EQ(used.size(), std::min(num_nodes, num_parts));
-                if (!used.empty()) EXPECT_EQ(*used.rbegin(), used.size() - 1);
+                EXPECT_TRUE(used.empty() || *used.rbegin() == used.size() - 1);
             }
         }
     }
