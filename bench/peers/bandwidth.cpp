@@ -65,8 +65,9 @@ Product measure_product(const Laplacian& laplacian, std::size_t num_entries,
     const Duration time = shortest(kProductRounds, [&] { laplacian.apply(x, result, executor); });
     Product product;
     product.ms = 1e3 * time.wall_s;
-    product.bytes = static_cast<double>(num_entries * (sizeof(double) + sizeof(std::uint32_t)) +
-                                        x.size() * (3 * sizeof(double) + 2 * sizeof(std::uint32_t)));
+    product.bytes =
+        static_cast<double>(num_entries * (sizeof(double) + sizeof(std::uint32_t)) +
+                            x.size() * (3 * sizeof(double) + 2 * sizeof(std::uint32_t)));
     return product;
 }
 
