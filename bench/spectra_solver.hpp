@@ -57,6 +57,8 @@ private:
 
 struct SpectraAnswer {
     std::vector<double> values;
+    /// Column j belongs to values[j].
+    Eigen::MatrixXd vectors;
     /// What the solver says of itself.
     bool is_successful = false;
 };
@@ -74,12 +76,12 @@ inline SpectraAnswer solve_with_spectra(const Laplacian& laplacian, std::size_t 
     solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
     SpectraAnswer answer;
     answer.is_successful = solver.info() == Spectra::CompInfo::Successful;
-    const Eigen::VectorXd values = solver.eigenvalues();
+    // By the inverse operator's values, largest first.
+    const Eigen::VectorXd values = solver.eigenvalues().reverse();
     answer.values.assign(values.begin(), values.end());
-    std::sort(answer.values.begin(), answer.values.end());
     // The eigenvectors are part of the answer, and of its cost.
-    const Eigen::MatrixXd vectors = solver.eigenvectors();
-    if (vectors.cols() != values.size()) answer.is_successful = false;
+    answer.vectors = solver.eigenvectors().rowwise().reverse();
+    if (answer.vectors.cols() != values.size()) answer.is_successful = false;
     return answer;
 }
 

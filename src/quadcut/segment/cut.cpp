@@ -8,6 +8,7 @@
 #include "quadcut/spectral/eigensolver.hpp"
 #include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/k_means.hpp"
+#include "quadcut/spectral/multilevel.hpp"
 #include "quadcut/spectral/pivoted_qr.hpp"
 #include "quadcut/spectral/silhouette.hpp"
 
@@ -15,6 +16,10 @@ namespace quadcut {
 namespace {
 
 constexpr std::size_t kRefineSteps = 10;
+/// A larger part is first cut into parts of about kNodesPerPart, without an eigenproblem of its
+/// size.
+constexpr std::size_t kMaxSolvedNodes = 65536;
+constexpr std::size_t kNodesPerPart = 16384;
 
 EigenReport report_of(const Eigenpairs& pairs) {
     return {pairs.num_nodes, pairs.values, pairs.residuals};
@@ -82,20 +87,31 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& 
     for (auto& nodes : group_by_part(connected_components(region))) {
         waiting.push_back({induced_subgraph(region, nodes), std::move(nodes)});
     }
+    const auto push = [&](const Part& part, const std::vector<std::uint32_t>& group) {
+        std::vector<std::uint32_t> nodes;
+        nodes.reserve(group.size());
+        for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);
+        waiting.push_back({induced_subgraph(part.graph, group), std::move(nodes)});
+    };
     while (!waiting.empty()) {
         const Part part = std::move(waiting.back());
         waiting.pop_back();
         clock.begin("eigen");
+        if (part.nodes.size() > kMaxSolvedNodes) {
+            const auto coarse =
+                cut_multilevel(part.graph, options.laplacian, part.nodes.size() / kNodesPerPart);
+            for (const auto& group : group_by_part(connected_components(part.graph, coarse))) {
+                push(part, group);
+            }
+            continue;
+        }
         const Eigenpairs pairs =
             eigenpairs_below(part.graph, options.laplacian, options.max_eigenvalue_per_m2,
                              options.max_pairs, eigen_options, executor);
         pieces.eigen.push_back(report_of(pairs));
-        const auto finish = [&](const std::vector<std::uint32_t>& nodes) {
-            for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
-            ++pieces.count;
-        };
         if (pairs.size() < 2) {
-            finish(part.nodes);
+            for (const std::uint32_t node : part.nodes) pieces.piece_of_node[node] = pieces.count;
+            ++pieces.count;
             continue;
         }
         clock.begin("cluster");
@@ -105,15 +121,15 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& 
             refine_k_means(samples, start, kRefineSteps, executor).clustering;
         const bool found_all = pairs.size() < options.max_pairs;
         for (const auto& group : group_by_part(connected_components(part.graph, clusters.labels))) {
-            std::vector<std::uint32_t> nodes;
-            nodes.reserve(group.size());
-            for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);
             // A cut that made no progress would be tried for ever.
-            if (found_all || group.size() == part.nodes.size()) {
-                finish(nodes);
-            } else {
-                waiting.push_back({induced_subgraph(part.graph, group), std::move(nodes)});
+            if (!found_all && group.size() < part.nodes.size()) {
+                push(part, group);
+                continue;
             }
+            for (const std::uint32_t node : group) {
+                pieces.piece_of_node[part.nodes[node]] = pieces.count;
+            }
+            ++pieces.count;
         }
     }
     return pieces;

@@ -54,7 +54,9 @@ struct OverCutOptions {
 /// Cuts a region finer than rooms: by default an area-normalised Laplacian, all eigenvectors below
 /// the limit, column-pivoted QR and a few k-means steps. By Weyl's law an eigenvalue limit of 0.8 /
 /// m^2 gives pieces of about 16 m^2; every doorway is among the cuts, and so are many that are
-/// none. Throws NumericalError if the eigensolver fails its own checks.
+/// none. A connected part of more than 65,536 nodes is first cut into parts of about 16,384 by
+/// cut_multilevel(), so that no solve grows with the size of the map. Throws NumericalError if the
+/// eigensolver fails its own checks.
 [[nodiscard]] Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& clock,
                               const Executor& executor = {});
 

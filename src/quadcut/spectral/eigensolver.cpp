@@ -52,12 +52,12 @@ void finish(const Laplacian& laplacian, const EigenOptions& options, const Execu
         products.selfadjointView<Eigen::Lower>().rankUpdate(vectors.transpose());
         return MatrixXd(products.selfadjointView<Eigen::Lower>());
     };
-    if (!gram().isIdentity(kOrthonormal)) {
+    if (const MatrixXd products = gram(); !products.isIdentity(kOrthonormal)) {
         // Where weights span many decades: pairs that hardly differ from zero.
-        gram().llt().matrixU().solveInPlace<Eigen::OnTheRight>(vectors);
-    }
-    if (!gram().isIdentity(kOrthonormal)) {
-        throw NumericalError("eigensolver: the vectors are not orthonormal");
+        products.llt().matrixU().solveInPlace<Eigen::OnTheRight>(vectors);
+        if (!gram().isIdentity(kOrthonormal)) {
+            throw NumericalError("eigensolver: the vectors are not orthonormal");
+        }
     }
     MatrixXd products(vectors.rows(), vectors.cols());
     laplacian.apply_block(pairs.vectors, {products.data(), pairs.vectors.size()}, executor);
@@ -179,16 +179,20 @@ Eigenpairs solve_and_merge(const Graph& graph, LaplacianKind kind, double limit,
     Eigenpairs pairs;
     pairs.num_nodes = graph.num_nodes();
     if (max_count == 0 || !(limit > 0.0)) return pairs;
-    const double norm = Laplacian(graph, kind).norm_bound();
+    const Laplacian whole(graph, kind);
+    const double norm = whole.norm_bound();
     const auto nodes = nodes_by_component(graph);
+    const auto solve = [&](const Laplacian& laplacian) {
+        return solve_connected(laplacian, limit, max_count, options, executor);
+    };
     std::vector<Eigenpairs> solved(nodes.size());
     std::vector<Candidate> candidates;
     for (std::uint32_t c = 0; c < nodes.size(); ++c) {
         // Each component has an eigenvalue zero, and no smaller one.
         const bool is_full = candidates.size() == max_count;
         if (is_full && candidates.back() < Candidate{0.0, c, 0.0, 0}) continue;
-        solved[c] = solve_connected(Laplacian(induced_subgraph(graph, nodes[c]), kind), limit,
-                                    max_count, options, executor);
+        solved[c] = nodes.size() == 1 ? solve(whole)
+                                      : solve(Laplacian(induced_subgraph(graph, nodes[c]), kind));
         for (std::size_t j = 0; j < solved[c].size(); ++j) {
             const double value = solved[c].values[j];
             if (value > limit + kSlack * norm) continue;

@@ -3,8 +3,10 @@
 #include "quadcut/spectral/lanczos.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 #include <Eigen/Dense>
 
@@ -17,9 +19,12 @@ using Eigen::VectorXd;
 
 constexpr Index kBlock = ShiftedFactor::kWidth;
 using Lengths = Eigen::Matrix<double, 1, kBlock>;
+/// A block of vectors, row by row: one instruction takes what stands in a row.
+using Block = Eigen::Matrix<double, Eigen::Dynamic, kBlock, Eigen::RowMajor>;
+using Row = Eigen::Array<double, 1, kBlock>;
 
 /// Rows of all vectors that stay in the cache, and that are one thread's at a time.
-constexpr Index kBandRows = 1024;
+constexpr Index kBandRows = 4096;
 /// Shorter vectors are one thread's work: their bands take less time than threads take to meet,
 /// and on a busy machine each meeting may cost a time slice.
 constexpr Index kMinSharedRows = 65536;
@@ -27,7 +32,7 @@ constexpr Index kMinSharedRows = 65536;
 constexpr Index kCheckEvery = 8;
 /// Vectors of the basis, beside 5/4 of the pairs: more take longer to reorthogonalise, fewer
 /// converge more slowly.
-constexpr Index kExtraVectors = 32;
+constexpr Index kExtraVectors = 36;
 constexpr Index kMaxVectors = 256;
 /// Restarts without a pair before giving up.
 constexpr int kMaxBarren = 20;
@@ -56,7 +61,7 @@ public:
         for (Index i = 0; i < size; ++i) {
             all_.row(i).head(num_known_) = given.row(factor.order()[i]);
         }
-        next().setZero();
+        next_ = Block::Zero(size, kBlock);
         orthonormalize_next(Lengths::Ones());
     }
 
@@ -64,7 +69,7 @@ public:
         Index next_check = num_missing_ + kCheckEvery;
         for (int num_barren = 0; num_missing_ > 0 && num_barren < kMaxBarren;) {
             step();
-            const bool is_last = num_basis() + kBlock > projected_.cols() || next().isZero();
+            const bool is_last = num_basis() + kBlock > projected_.cols() || next_.isZero();
             if (!is_last && num_basis() < next_check) continue;
             next_check = num_basis() + kCheckEvery;
             const Index num_converged = std::min(num_missing_, find_ritz_pairs());
@@ -78,10 +83,6 @@ public:
 
 private:
     [[nodiscard]] Index num_basis() const { return num_ - num_fixed_; }
-    /// The block after the basis.
-    [[nodiscard]] Eigen::Block<MatrixXd, Eigen::Dynamic, kBlock, true> next() {
-        return all_.middleCols<kBlock>(num_);
-    }
 
     void for_each_band(const std::function<void(Index first, Index count)>& body) const {
         parallel_for(executor_, all_.rows(), kBandRows, [&](std::size_t first, std::size_t last) {
@@ -89,40 +90,61 @@ private:
         });
     }
 
+    /// Calls `body(first, width)` for groups of four vectors and for what is left one by one.
+    template <typename Body>
+    static void for_each_group(Index count, const Body& body) {
+        constexpr Index kGroup = 4;
+        Index j = 0;
+        for (; j + kGroup <= count; j += kGroup) body(j, std::integral_constant<Index, kGroup>());
+        for (; j < count; ++j) body(j, std::integral_constant<Index, 1>());
+    }
+
     /// Takes what lies along the vectors from `first` on out of the next block, and returns it.
-    /// Column by column: for so few a matrix product would spend its time on packing the basis.
-    MatrixXd orthogonalize_next(Index first) {
-        const auto basis = all_.middleCols(first, num_ - first);
-        auto block = next();
-        MatrixXd along_of_bands =
-            MatrixXd::Zero(basis.cols() * kBlock, (basis.rows() + kBandRows - 1) / kBandRows);
-        for_each_band([&](Index begin, Index count) {
-            for (Index j = 0; j < kBlock; ++j) {
-                along_of_bands.col(begin / kBandRows)
-                    .segment(j * basis.cols(), basis.cols())
-                    .noalias() +=
-                    basis.middleRows(begin, count).transpose() * block.col(j).segment(begin, count);
-            }
+    /// Each vector is read twice from memory, for all columns of the block at once.
+    Block orthogonalize_next(Index first) {
+        const Index count = num_ - first;
+        const Index num_bands = (all_.rows() + kBandRows - 1) / kBandRows;
+        Block along_of_bands = Block::Zero(num_bands * count, kBlock);
+        for_each_band([&](Index begin, Index rows) {
+            for_each_group(count, [&](Index j, auto width) {
+                const double* basis = &all_(begin, first + j);
+                std::array<Row, width> sums;
+                sums.fill(Row::Zero());
+                for (Index i = 0; i < rows; ++i) {
+                    const Row row = next_.row(begin + i);
+                    for (Index k = 0; k < width; ++k) sums[k] += basis[k * all_.rows() + i] * row;
+                }
+                const Index place = begin / kBandRows * count + j;
+                for (Index k = 0; k < width; ++k) along_of_bands.row(place + k) = sums[k];
+            });
         });
-        MatrixXd along = along_of_bands.rowwise().sum().reshaped(basis.cols(), kBlock);
-        for_each_band([&](Index begin, Index count) {
-            for (Index j = 0; j < kBlock; ++j) {
-                block.col(j).segment(begin, count).noalias() -=
-                    basis.middleRows(begin, count) * along.col(j);
-            }
+        Block along = Block::Zero(count, kBlock);
+        for (Index b = 0; b < num_bands; ++b) along += along_of_bands.middleRows(b * count, count);
+        for_each_band([&](Index begin, Index rows) {
+            for_each_group(count, [&](Index j, auto width) {
+                const double* basis = &all_(begin, first + j);
+                const Index stride = all_.rows();
+                double* const block = next_.data() + begin * kBlock;
+                std::array<Row, width> parts;
+                for (Index k = 0; k < width; ++k) parts[k] = along.row(j + k);
+                for (Index i = 0; i < rows; ++i) {
+                    Eigen::Map<Row, Eigen::Aligned16> row(block + i * kBlock);
+                    Row left = row;
+                    for (Index k = 0; k < width; ++k) left -= basis[k * stride + i] * parts[k];
+                    row = left;
+                }
+            });
         });
         return along;
     }
 
     /// Adds the next block to the basis and makes the one after it.
     void step() {
-        Eigen::Matrix<double, Eigen::Dynamic, kBlock, Eigen::RowMajor> image = next();
-        factor_.solve({image.data(), static_cast<std::size_t>(image.size())});
+        factor_.solve({next_.data(), static_cast<std::size_t>(next_.size())});
         num_ += kBlock;
-        next() = image;
-        const Lengths lengths = next().colwise().norm();
+        const Lengths lengths = next_.colwise().norm();
         // The recurrence takes out what is large; rounding errors are left for later.
-        const MatrixXd along = orthogonalize_next(first_coupled_);
+        const Block along = orthogonalize_next(first_coupled_);
         const Index row = first_coupled_ - num_fixed_;
         const Index last = num_basis() - kBlock;
         projected_.block(row, last, along.rows(), kBlock) = along;
@@ -142,10 +164,10 @@ private:
             again = false;
             MatrixXd triangle = MatrixXd::Zero(kBlock, kBlock);
             for (Index j = 0; j < kBlock; ++j) {
-                auto column = next().col(j);
+                auto column = next_.col(j);
                 for (Index i = 0; i < j; ++i) {
-                    triangle(i, j) = next().col(i).dot(column);
-                    column -= triangle(i, j) * next().col(i);
+                    triangle(i, j) = next_.col(i).dot(column);
+                    column -= triangle(i, j) * next_.col(i);
                 }
                 const double length = column.norm();
                 again = again || length <= kShrunk * lengths[j];
@@ -162,6 +184,7 @@ private:
             coupling_ = triangle * coupling_;
             lengths.setOnes();
         }
+        all_.middleCols<kBlock>(num_) = next_;
     }
 
     /// Makes thetas_ and coordinates_, largest first; returns how many have converged before the
@@ -185,7 +208,8 @@ private:
     /// block. What is locked is improved by one application of A, which costs
     /// nothing: A x / theta is x + next * coupling * (last coordinates of x) / theta.
     void restart(Index num_locked) {
-        const Index num_kept = num_locked + (num_basis() - num_locked) / 3;
+        const bool is_last = num_locked == num_missing_;
+        const Index num_kept = num_locked + (is_last ? 0 : (num_basis() - num_locked) / 3);
         MatrixXd beyond = coupling_ * coordinates_.bottomRows<kBlock>().leftCols(num_locked);
         for (Index j = 0; j < num_locked; ++j) {
             beyond.col(j) /= thetas_[j];
@@ -193,16 +217,15 @@ private:
         }
         for_each_band([&](Index begin, Index count) {
             auto band = all_.middleRows(begin, count);
-            const MatrixXd block = band.middleCols<kBlock>(num_);
             MatrixXd kept =
                 band.middleCols(num_fixed_, num_basis()) * coordinates_.leftCols(num_kept);
-            kept.leftCols(num_locked) += block * beyond;
+            kept.leftCols(num_locked) += next_.middleRows(begin, count) * beyond;
             band.middleCols(num_fixed_, num_kept) = kept;
-            band.middleCols<kBlock>(num_fixed_ + num_kept) = block;
         });
         num_ = num_fixed_ + num_kept;
         num_fixed_ += num_locked;
         num_missing_ -= num_locked;
+        if (is_last) return;
         first_coupled_ = num_fixed_;
         projected_.setZero();
         projected_.diagonal().head(num_basis()) = thetas_.segment(num_locked, num_basis());
@@ -231,8 +254,9 @@ private:
     Index num_ = num_known_;
     /// First vector that the next block is coupled with.
     Index first_coupled_ = num_known_;
-    /// All vectors, in the order of the factor.
+    /// All vectors, in the order of the factor; behind the basis a copy of the next block.
     MatrixXd all_;
+    Block next_;
     std::vector<double> values_;
     /// A basis = basis projected + next coupling (on the last block of the basis).
     MatrixXd projected_;

@@ -56,15 +56,18 @@ public:
 
     /// Row i without its diagonal entry: columns ascending, and values.
     [[nodiscard]] std::span<const std::uint32_t> row_columns(std::size_t i) const {
-        return std::span(columns_).subspan(row_begin_[i], row_begin_[i + 1] - row_begin_[i]);
+        return std::span(columns_).subspan(row_begin_[i], row_length_[i]);
     }
     [[nodiscard]] std::span<const double> row_values(std::size_t i) const {
-        return std::span(values_).subspan(row_begin_[i], row_begin_[i + 1] - row_begin_[i]);
+        return std::span(values_).subspan(row_begin_[i], row_length_[i]);
     }
 
 private:
     LaplacianKind kind_;
+    /// In bands of rows, by length. The rows' entries are stored in this order.
+    std::vector<std::uint32_t> row_order_;
     std::vector<std::size_t> row_begin_;
+    std::vector<std::uint32_t> row_length_;
     std::vector<std::uint32_t> columns_;
     std::vector<double> values_;
     std::vector<double> diagonal_;

@@ -14,9 +14,10 @@ namespace quadcut {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 struct ShiftedFactor::State {
-    SparseMatrix lower;
+    SparseMatrix upper;
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;
+    /// Takes an upper triangle as it is, and a lower one through a copy.
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt;
     double shift = 0.0;
     Eigen::VectorXd pivots;
 };
@@ -41,10 +42,10 @@ ShiftedFactor::ShiftedFactor(const Laplacian& laplacian) : state_(std::make_uniq
     lower.finalize();
 
     Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), state_->order);
-    state_->lower.resize(size, size);
-    state_->lower.selfadjointView<Eigen::Lower>() =
+    state_->upper.resize(size, size);
+    state_->upper.selfadjointView<Eigen::Upper>() =
         lower.selfadjointView<Eigen::Lower>().twistedBy(state_->order.inverse());
-    state_->ldlt.analyzePattern(state_->lower);
+    state_->ldlt.analyzePattern(state_->upper);
 }
 
 ShiftedFactor::~ShiftedFactor() = default;
@@ -56,7 +57,7 @@ std::span<const int> ShiftedFactor::order() const {
 ShiftedFactor::Inertia ShiftedFactor::factorize(double shift) {
     state_->shift = shift;
     state_->ldlt.setShift(-shift);
-    state_->ldlt.factorize(state_->lower);
+    state_->ldlt.factorize(state_->upper);
     const Inertia failed{0, std::numeric_limits<double>::infinity()};
     if (state_->ldlt.info() != Eigen::Success) return failed;
     state_->pivots = state_->ldlt.vectorD();
