@@ -219,7 +219,7 @@ TEST(RefusedCommandLine, WhatIsNotBuiltYet) {
     const Folder folder;
     const std::string map = folder.write("map.pgm", office_pgm());
     expect_refused(folder, {"segment", map, "--device=gpu"}, {"--device", "this version"});
-    for (const std::string command : {"export", "reproduce", "serve"}) {
+    for (const std::string command : {"export", "serve", "ros2"}) {
         expect_refused(folder, {command, "x"}, {command, "this version"});
     }
 }

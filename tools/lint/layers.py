@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "io": CORE,
     "sim": CORE | {"io"},
     "store": CORE | {"io"},
-    "apps": CORE | {"io", "sim", "store"},
+    "apps": CORE | {"io", "sim", "store", "bench"},  # bench: what `quadcut reproduce` runs
 }
 
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+
+namespace quadcut::reproduce {
+
+/// What times were measured on.
+struct Machine {
+    /// As /proc/cpuinfo names it; "unknown" where there is none.
+    std::string cpu;
+    unsigned num_cores = 1;
+    /// Name and version.
+    std::string compiler;
+};
+
+[[nodiscard]] Machine this_machine();
+
+}  // namespace quadcut::reproduce
