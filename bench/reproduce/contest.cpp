@@ -18,40 +18,11 @@ namespace {
 
 constexpr double kMinPartM2 = 4.0;
 
-Contender segmented(const World& world, const SegmentOptions& options) {
-    Contender result;
+/// What the preset makes of the map.
+Segmentation segmented(const World& world, const SegmentOptions& options) {
     // As many submaps as were asked for are all shown, crossed by the robot or not.
     const bool is_told = options.preset == Preset::paper && options.paper.num_submaps != 0;
-    const std::vector<Point> trajectory = is_told ? std::vector<Point>{} : world.trajectory;
-    result.elapsed_ms = elapsed_ms([&] { result.rooms = segment(world.map, options, trajectory); });
-    result.labels = labels_of_cells(result.rooms);
-    result.num_units = result.rooms.report.num_leaves;
-    return result;
-}
-
-Contender by_positions(const World& world, const MapGraph& graph, std::size_t count,
-                       std::uint64_t seed) {
-    Contender result;
-    std::vector<std::uint32_t> clusters;
-    result.elapsed_ms = elapsed_ms(
-        [&] { clusters = cluster_positions(graph.leaves.table, graph.leaves.nodes, count, seed); });
-    result.labels = labels_of_cells(graph, world.map, clusters);
-    result.rooms = as_segmentation(result.labels);
-    result.num_units = graph.leaves.nodes.size();
-    return result;
-}
-
-Contender by_voronoi(const World& world) {
-    Contender result;
-    VoronoiRegions voronoi;
-    result.elapsed_ms = elapsed_ms([&] {
-        voronoi = voronoi_regions(inside(world.map, world.trajectory, kMinPartM2),
-                                  world.map.resolution_m);
-    });
-    result.labels = std::move(voronoi.regions);
-    result.rooms = as_segmentation(result.labels);
-    result.num_units = voronoi.num_graph_cells;
-    return result;
+    return segment(world.map, options, is_told ? std::vector<Point>{} : world.trajectory);
 }
 
 std::string caption(const std::string& method, const Contender& contender) {
@@ -68,14 +39,37 @@ std::string caption(const std::string& method, const Contender& contender) {
 
 Contest hold_contest(const World& world, std::size_t num_submaps, const Setup& setup) {
     Contest contest{graph_of(world.map, SelfLoops::none, setup.executor()), {}, {}, {}, {}};
-    contest.paper = segmented(world, setup.paper(num_submaps));
-    contest.rooms = segmented(world, setup.rooms());
-    const std::size_t count =
-        num_submaps != 0 ? num_submaps : std::max<std::size_t>(2, contest.paper.rooms.rooms.size());
-    contest.positions = by_positions(world, contest.graph, count, setup.seed);
-    contest.voronoi = by_voronoi(world);
+    const FreeLeaves& leaves = contest.graph.leaves;
+    VoronoiRegions voronoi;
+    std::vector<std::uint32_t> clusters;
+    const std::vector<double> times_ms = least_ms(
+        setup.size == Size::full ? 3 : 1,
+        {[&] { contest.paper.rooms = segmented(world, setup.paper(num_submaps)); },
+         [&] { contest.rooms.rooms = segmented(world, setup.rooms()); },
+         [&] {
+             const std::size_t count = contest.paper.rooms.rooms.size();
+             clusters = cluster_positions(leaves.table, leaves.nodes,
+                                          num_submaps != 0 ? num_submaps : count, setup.seed);
+         },
+         [&] {
+             voronoi = voronoi_regions(inside(world.map, world.trajectory, kMinPartM2),
+                                       world.map.resolution_m);
+         }});
+    contest.paper.rooms = as_submaps(std::move(contest.paper.rooms));
+    contest.paper.labels = labels_of_cells(contest.paper.rooms);
+    contest.paper.num_units = contest.paper.rooms.report.num_leaves;
+    contest.rooms.labels = labels_of_cells(contest.rooms.rooms);
+    contest.rooms.num_units = contest.rooms.rooms.report.num_leaves;
+    contest.positions.labels = labels_of_cells(contest.graph, world.map, clusters);
+    contest.positions.rooms = as_segmentation(contest.positions.labels, world.map);
+    contest.positions.num_units = leaves.nodes.size();
+    contest.voronoi.labels = std::move(voronoi.regions);
+    contest.voronoi.rooms = as_segmentation(contest.voronoi.labels, world.map);
+    contest.voronoi.num_units = voronoi.num_graph_cells;
+    std::size_t place = 0;
     for (Contender* contender :
          {&contest.paper, &contest.rooms, &contest.positions, &contest.voronoi}) {
+        contender->elapsed_ms = times_ms[place++];
         contender->quality = quality_of(contest.graph, contender->labels, world.map, world);
     }
     return contest;
@@ -98,8 +92,10 @@ Table table_of(const Contest& contest, const Value& paper_ms, const Value& paper
         [](const Contender& c) { return number(c.num_units); });
     row("regions on both sides of a wall", "", none(),
         [](const Contender& c) { return number(c.quality.num_broken); });
-    row("coupling: edge weight that leaves a region, mean", "%", words("low"),
+    row("edge weight that leaves a region, mean", "%", words("low"),
         [](const Contender& c) { return number(c.quality.coupling_percent, 2); });
+    row("edge weight between regions, of all", "%", words("low"),
+        [](const Contender& c) { return number(c.quality.cut_percent, 2); });
     row("largest region over the mean", "", words("balanced"),
         [](const Contender& c) { return number(c.quality.imbalance, 2); });
     if (contest.paper.quality.pq_percent) {

@@ -38,6 +38,8 @@ struct Setup {
 
 /// Cells of the workplace's maps, metres: it then has about as many nodes as the paper's.
 inline constexpr double kWorkplaceResolutionM = 0.1;
+/// Cells when the laboratory is followed in the preset `paper`.
+inline constexpr double kLaboratoryResolutionM = 0.1;
 /// From this panoptic quality on, percent, two divisions are called alike.
 inline constexpr double kAlikePercent = 75.0;
 
@@ -65,9 +67,10 @@ struct FollowedTwice {
 /// The pipeline on the workplace.
 [[nodiscard]] Figure figure_11(const Worlds& worlds, const Setup& setup);
 /// The same, incrementally.
-[[nodiscard]] Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace);
+[[nodiscard]] Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace,
+                               const Setup& setup);
 /// ps over time.
-[[nodiscard]] Figure figure_13(const Worlds& worlds, const Setup& setup);
+[[nodiscard]] Figure figure_13(const Worlds& worlds);
 /// Size of the matrix over time.
 [[nodiscard]] Figure figure_14(const Worlds& worlds, const FollowedTwice& workplace,
                                const FollowedTwice& intel);

@@ -105,7 +105,8 @@ Table table_of(const std::string& title, const Costs& costs) {
 Picture bars(const std::string& file, const std::string& title, const std::string& y_name,
              const std::vector<const World*>& worlds, const std::vector<Costs>& costs,
              double Cost::*member) {
-    BarPlot plot{title, y_name, {}, {{"quadcut", {}}, {"occupancy grid", {}}, {"pointers", {}}}};
+    BarPlot plot{
+        title, y_name, "", {}, {{"quadcut", {}}, {"occupancy grid", {}}, {"pointers", {}}}};
     for (std::size_t i = 0; i < worlds.size(); ++i) {
         plot.groups.push_back(worlds[i]->name);
         plot.series[0].values.push_back(costs[i].quadtree.*member);
@@ -188,8 +189,9 @@ Figure figure_4(const Worlds& worlds, const Setup& setup) {
         bars("fig4c.svg", "10,000 random look-ups", "ms", all, costs, &Cost::lookups_ms)};
     const BarPlot by_side{worlds.mit_csail.name + ": nodes of the quadtree over cells of the grid",
                           "%",
+                          "side of a cell",
                           shares.names,
-                          {{"side of a cell", shares.percent}}};
+                          {{"share", shares.percent}}};
     figure.pictures.push_back({"fig4_resolution.svg", to_svg(by_side),
                                "The finer the cells, the fewer of them does a quadtree need"});
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -6,17 +6,20 @@
 #include <string>
 #include <utility>
 
+#include "bench/reproduce/partition.hpp"
+
 namespace quadcut::reproduce {
 namespace {
 
 constexpr std::size_t kNumSamples = 40;
 
-io::Moment moment_of(const Follower& follower, const std::vector<Point>& way) {
+io::Moment moment_of(const Follower& follower, const std::vector<Point>& way, Preset preset) {
     const std::size_t num_rooms = follower.num_rooms();
     io::Moment moment{"scan " + std::to_string(follower.num_scans()) + ", " +
                           std::to_string(num_rooms) + (num_rooms == 1 ? " region" : " regions"),
                       follower.map().to_grid(), follower.rooms(), way};
     moment.way.resize(follower.num_scans());
+    if (preset == Preset::paper) moment.rooms = as_submaps(std::move(moment.rooms));
     return moment;
 }
 
@@ -54,11 +57,11 @@ Followed follow(const World& world, const SegmentOptions& options, double resolu
         }
         const std::size_t next = num_scans * (result.moments.size() + 1) / num_moments;
         if (i + 1 == next && i + 1 != num_scans) {
-            result.moments.push_back(moment_of(follower, world.trajectory));
+            result.moments.push_back(moment_of(follower, world.trajectory, options.preset));
         }
     }
     keep(follower.finish(), static_cast<double>(num_scans));
-    result.moments.push_back(moment_of(follower, world.trajectory));
+    result.moments.push_back(moment_of(follower, world.trajectory, options.preset));
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "bench/reproduce/machine.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -32,7 +33,9 @@ std::string compiler_name() {
 }  // namespace
 
 Machine this_machine() {
-    return {cpu_model(), std::max(1U, std::thread::hardware_concurrency()), compiler_name()};
+    double load = 0.0;
+    if (::getloadavg(&load, 1) != 1) load = 0.0;
+    return {cpu_model(), std::max(1U, std::thread::hardware_concurrency()), compiler_name(), load};
 }
 
 }  // namespace quadcut::reproduce

@@ -13,6 +13,8 @@ struct Machine {
     unsigned num_cores = 1;
     /// Name and version.
     std::string compiler;
+    /// How many programs wanted a core in the last minute; 0 where that is not known.
+    double load = 0.0;
 };
 
 [[nodiscard]] Machine this_machine();

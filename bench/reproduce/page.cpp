@@ -148,6 +148,8 @@ void append_run(std::string& page, const Report& report) {
     row("machine", escaped(report.machine.cpu) + ", " + std::to_string(report.machine.num_cores) +
                        (report.machine.num_cores == 1 ? " core" : " cores") + "; " +
                        std::to_string(report.num_threads) + " threads unless it says otherwise");
+    row("load at its begin", io::rounded(report.machine.load, 1) +
+                                 " other programs that want a core; they make times longer");
     row("the paper's machine", "i7-4700MQ, Windows 7, Python 2.7 with SciPy and NetworkX");
     std::string worlds;
     for (const std::string& world : report.worlds) {

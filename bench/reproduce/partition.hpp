@@ -21,11 +21,14 @@ namespace quadcut::reproduce {
 /// What can be said of any division of a map, whatever method made it.
 struct Quality {
     std::size_t num_regions = 0;
-    /// Regions that are not connected in G: they lie on both sides of a wall.
+    /// Regions of several parts of a square metre or more that no free cells of the region join:
+    /// they lie on both sides of a wall.
     std::size_t num_broken = 0;
     /// The mean over regions of the weight of the edges that leave it, over that of all its edges,
     /// percent: low coupling is a small number. Loops do not count.
     double coupling_percent = 0.0;
+    /// The weight of the edges between regions over that of all edges, percent.
+    double cut_percent = 0.0;
     /// The largest region's area over the mean.
     double imbalance = 0.0;
     /// Against the true rooms, percent; nothing where they are not known.
@@ -48,13 +51,20 @@ struct Quality {
 [[nodiscard]] std::optional<double> pq_percent(const Raster<std::uint32_t>& labels,
                                                const GridMap& map, const World& world);
 
+/// True rooms of which no region holds 85 % of what is labelled: they are cut apart.
+[[nodiscard]] std::size_t count_cut_rooms(const Raster<std::uint32_t>& labels, const GridMap& map,
+                                          const World& world);
+
 /// How two divisions agree where both say something: PQ in percent. The first is resampled to the
 /// cells of the second.
 [[nodiscard]] double agreement_percent(const GridMap& map, const Segmentation& rooms,
                                        const GridMap& reference_map, const Segmentation& reference);
 
-/// The regions as rooms without doors, to be drawn. Regions above 65535 are left out.
-[[nodiscard]] Segmentation as_segmentation(const Raster<std::uint32_t>& labels);
+/// The regions, 1 to 65535, as submaps without doors, to be drawn.
+[[nodiscard]] Segmentation as_segmentation(const Raster<std::uint32_t>& labels, const GridMap& map);
+
+/// Rooms as submaps are drawn: by number and in clear colours, whatever their shape.
+[[nodiscard]] Segmentation as_submaps(Segmentation rooms);
 
 /// Pairs of regions that an edge of G joins (the paper's relevance), a < b.
 [[nodiscard]] std::set<std::pair<std::uint32_t, std::uint32_t>> linked_regions(

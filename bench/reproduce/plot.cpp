@@ -30,10 +30,12 @@ std::string number(double value) {
     return text.data();
 }
 
-/// As it is read: 12,300 and 0.012.
+/// As it is read: 1.75 M, 12,300 and 0.012.
 std::string figure(double value) {
     std::array<char, 32> text{};
     const double magnitude = std::abs(value);
+    constexpr double kMillion = 1e6;
+    if (magnitude >= kMillion) return number(std::round(value / 1e4) / 100.0) + " M";
     const int decimals = magnitude >= 100.0 || magnitude == 0.0 ? 0
                          : magnitude >= 10.0                    ? 1
                          : magnitude >= 1.0                     ? 2
@@ -218,8 +220,9 @@ std::string to_svg(const BarPlot& plot) {
     const double base = is_log ? std::pow(10.0, std::floor(std::log10(low * 0.999))) : 0.0;
     const Scale scale(base, high, is_log);
     Drawing drawing(plot.title);
-    drawing.legend(names);
+    if (names.size() > 1) drawing.legend(names);
     scale.draw(drawing);
+    drawing.text((kLeft + kWidth) / 2.0, kHeight - 12.0, "middle", plot.x_name);
     const double group = (kWidth - kLeft - kRight) /
                          static_cast<double>(std::max<std::size_t>(1, plot.groups.size()));
     const double width =

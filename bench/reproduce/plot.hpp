@@ -43,6 +43,7 @@ struct BarSeries {
 struct BarPlot {
     std::string title;
     std::string y_name;
+    std::string x_name;
     std::vector<std::string> groups;
     std::vector<BarSeries> series;
 };

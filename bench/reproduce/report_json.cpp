@@ -71,6 +71,7 @@ std::string to_json(const Report& report) {
     json.key("cpu").text(report.machine.cpu);
     json.key("cores").integer(report.machine.num_cores);
     json.key("compiler").text(report.machine.compiler);
+    json.key("load").number(report.machine.load);
     json.end_object();
     json.key("simulated").boolean(report.is_simulated);
     json.key("worlds").begin_array(io::JsonLayout::lines);

@@ -75,8 +75,8 @@ Report measure(const Options& options, const OnPart& on_part) {
     add("Fig 11", [&] { return figure_11(worlds, setup); });
     parts.begin("following");
     const FollowedTwice workplace = follow_twice(worlds.workplace, kWorkplaceResolutionM, setup);
-    add("Fig 12", [&] { return figure_12(worlds, workplace); });
-    add("Fig 13", [&] { return figure_13(worlds, setup); });
+    add("Fig 12", [&] { return figure_12(worlds, workplace, setup); });
+    add("Fig 13", [&] { return figure_13(worlds); });
     parts.begin("following");
     const FollowedTwice intel = follow_twice(worlds.intel, kPaperFollowResolutionM, setup);
     add("Fig 14", [&] { return figure_14(worlds, workplace, intel); });
@@ -87,8 +87,7 @@ Report measure(const Options& options, const OnPart& on_part) {
         return std::move(result.figure);
     });
     parts.begin("following");
-    const FollowedTwice laboratory =
-        follow_twice(worlds.laboratory, kPaperFollowResolutionM, setup);
+    const FollowedTwice laboratory = follow_twice(worlds.laboratory, kLaboratoryResolutionM, setup);
     add("Figs 20-22", [&] { return figures_20_to_22(worlds, laboratory, setup); });
     report.elapsed_s = ms_since(start) / 1000.0;
     return report;

@@ -63,8 +63,8 @@ Nearest spread_obstacles(const Raster<std::uint8_t>& open) {
     return nearest;
 }
 
-/// The open cells beside which another obstacle is nearest, seen at more than 90 degrees from the
-/// first: the middle between two walls, not the bisector of a wall's own bumps.
+/// The open cells beside which another obstacle is nearest, seen at more than 100 degrees from the
+/// first: the middle between two walls, not the bisector of a corner or of a wall's own bumps.
 std::vector<Cell> graph_cells(const Raster<std::uint8_t>& open, const Nearest& nearest,
                               double min_clearance) {
     std::vector<Cell> cells;
@@ -77,7 +77,7 @@ std::vector<Cell> graph_cells(const Raster<std::uint8_t>& open, const Nearest& n
             if (!open.contains(beside) || open.at(beside) == 0) continue;
             const auto apart = static_cast<double>(
                 squared_distance(nearest.obstacle.at(cell), nearest.obstacle.at(beside)));
-            if (apart > 2.0 * distance * distance) {
+            if (apart > 2.4 * distance * distance) {
                 cells.push_back(cell);
                 break;
             }
@@ -86,37 +86,56 @@ std::vector<Cell> graph_cells(const Raster<std::uint8_t>& open, const Nearest& n
     return cells;
 }
 
+/// The cells of the graph within a radius of one of its cells that it leads to; gaps of one cell
+/// are stepped over.
+void walk_graph(const Raster<std::uint8_t>& is_graph, Cell from, std::int32_t radius,
+                std::vector<Cell>& met, Raster<std::uint32_t>& met_by, std::uint32_t walk) {
+    met = {from};
+    met_by.at(from) = walk;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        for (std::int32_t dy = -2; dy <= 2; ++dy) {
+            for (std::int32_t dx = -2; dx <= 2; ++dx) {
+                const Cell next = moved(met[i], {dx, dy});
+                if (!is_graph.contains(next) || is_graph.at(next) == 0) continue;
+                if (met_by.at(next) == walk) continue;
+                if (squared_distance(next, from) > std::int64_t{radius} * radius) continue;
+                met_by.at(next) = walk;
+                met.push_back(next);
+            }
+        }
+    }
+}
+
 /// Where the graph is narrowest within the radius, and wider on two sides of the place.
 std::vector<Cell> critical_cells(const std::vector<Cell>& graph, const Nearest& nearest,
                                  double resolution_m, const VoronoiOptions& options) {
-    Raster<std::uint8_t> is_graph(nearest.distance.origin, nearest.distance.width,
-                                  nearest.distance.height);
+    const Box box = nearest.distance.box();
+    Raster<std::uint8_t> is_graph(box);
+    Raster<std::uint32_t> met_by(box);
     for (const Cell cell : graph) is_graph.at(cell) = 1;
     const auto radius = static_cast<std::int32_t>(options.critical_radius_m / resolution_m);
     const double max_distance = options.max_clearance_m / resolution_m;
     std::vector<Cell> critical;
+    std::vector<Cell> met;
+    std::uint32_t walk = 0;
     for (const Cell cell : graph) {
         const float own = nearest.distance.at(cell);
         if (own > max_distance) continue;
-        bool is_least = true;
-        // Wider places by the side of the line between the two obstacles that they lie on.
+        walk_graph(is_graph, cell, radius, met, met_by, ++walk);
         const Cell wall = nearest.obstacle.at(cell);
-        const Cell across{wall.x - cell.x, wall.y - cell.y};
+        bool is_least = true;
+        // The widest place on either side of the line to the nearest obstacle.
         std::array<float, 2> widest{0.0F, 0.0F};
-        for (std::int32_t dy = -radius; dy <= radius && is_least; ++dy) {
-            for (std::int32_t dx = -radius; dx <= radius && is_least; ++dx) {
-                const Cell other{cell.x + dx, cell.y + dy};
-                if (dx * dx + dy * dy > radius * radius || !is_graph.contains(other) ||
-                    is_graph.at(other) == 0) {
-                    continue;
-                }
-                const float distance = nearest.distance.at(other);
-                const bool is_before = dy < 0 || (dy == 0 && dx < 0);
-                is_least = distance > own || (distance == own && !is_before);
-                const bool is_left = std::int64_t{across.x} * dy - std::int64_t{across.y} * dx > 0;
-                float& side = widest[is_left ? 1 : 0];
-                side = std::max(side, distance);
-            }
+        for (const Cell other : met) {
+            const float distance = nearest.distance.at(other);
+            // Of equal ones the first in reading order.
+            const bool is_before = other.y < cell.y || (other.y == cell.y && other.x < cell.x);
+            is_least = is_least && (distance > own || (distance == own && !is_before));
+            const std::int64_t turn = std::int64_t{wall.x - cell.x} * (other.y - cell.y) -
+                                      std::int64_t{wall.y - cell.y} * (other.x - cell.x);
+            if (turn == 0) continue;
+            float& side = widest[turn > 0 ? 1 : 0];
+            side = std::max(side, distance);
         }
         const auto needed = static_cast<float>(options.min_widening) * own;
         if (is_least && widest[0] >= needed && widest[1] >= needed) critical.push_back(cell);

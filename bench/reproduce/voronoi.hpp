@@ -13,7 +13,7 @@ struct VoronoiOptions {
     /// A critical point has the least clearance on the graph within this.
     double critical_radius_m = 1.2;
     /// And the graph is at least so much wider somewhere within that radius on two sides.
-    double min_widening = 1.25;
+    double min_widening = 1.15;
     /// A narrower place is no part of the graph; a wider one is no door.
     double min_clearance_m = 0.15;
     double max_clearance_m = 1.0;

@@ -131,14 +131,18 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
         return simulated("laboratory", "the paper's laboratory", size == Size::small ? 4 : 9, 1.0,
                          seed + 2);
     }
-    const GridMap ground = io::read_map(*data / "rooms/lab_ipa.furnished.yaml").map;
+    const GridMap ground = io::read_map(*data / "rooms/lab_c_scan.furnished.yaml").map;
     World world;
     world.name = "laboratory";
-    explore(world, ground, widest_place(ground), seed);
-    read_truth(world, ground, *data / "rooms/lab_ipa.rooms.png");
+    // The inside of furniture is drawn as unknown, which would not stop the laser.
+    GridMap solid = ground;
+    std::replace(solid.states.values.begin(), solid.states.values.end(), CellState::unknown,
+                 CellState::occupied);
+    explore(world, solid, widest_place(ground), seed);
+    read_truth(world, ground, *data / "rooms/lab_c_scan.rooms.png");
     world.origin =
         "laboratory: the floor plan of a real one with its furniture, "
-        "lab_ipa.furnished (not the paper's), and a simulated robot, " +
+        "lab_c_scan.furnished (not the paper's), and a simulated robot, " +
         std::to_string(world.scans.size()) + " scans";
     return world;
 }

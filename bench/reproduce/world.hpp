@@ -48,7 +48,7 @@ inline constexpr double kResolutionM = 0.05;
 [[nodiscard]] World intel(const std::optional<std::filesystem::path>& data, Size size,
                           std::uint64_t seed);
 /// A cluttered laboratory, through which a simulated robot drives: the floor plan of a real one
-/// with its furniture, `data`/rooms/lab_ipa.furnished, or a simulated building full of it.
+/// with its furniture, `data`/rooms/lab_c_scan.furnished, or a simulated building full of it.
 /// All throw InputError when a file of the data is missing or cannot be read.
 [[nodiscard]] World laboratory(const std::optional<std::filesystem::path>& data, Size size,
                                std::uint64_t seed);
