@@ -15,7 +15,6 @@
 #include "apps/uninterrupted.hpp"
 #include "bench/reproduce/sentence.hpp"
 #include "io/file.hpp"
-#include "quadcut/base/error.hpp"
 
 namespace quadcut {
 namespace {
@@ -30,14 +29,11 @@ std::vector<OptionField> reproduce_fields(reproduce::Options& options) {
             {"seed", "", 0, 1e15, "other simulated worlds for each seed", "", &options.seed}};
 }
 
-/// The data that was asked for; a folder that is not there is a mistake.
+/// The data that was asked for; checked first, so that a mistake shows at once.
 std::optional<std::filesystem::path> data_of(const Arguments& arguments) {
     const std::optional<std::string> folder = arguments.value(kDataFlag);
     if (!folder) return std::nullopt;
-    if (!std::filesystem::is_directory(*folder)) {
-        throw InputError(io::display_name(*folder) +
-                         ": expected a folder with the data's logs and rooms");
-    }
+    reproduce::check_data(*folder);
     return *folder;
 }
 

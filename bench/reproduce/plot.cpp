@@ -30,12 +30,12 @@ std::string number(double value) {
     return text.data();
 }
 
-/// As it is read: 1.75 M, 12,300 and 0.012.
+/// As it is read: 1.75 M, 12.3 k, 1,230 and 0.012.
 std::string figure(double value) {
     std::array<char, 32> text{};
     const double magnitude = std::abs(value);
-    constexpr double kMillion = 1e6;
-    if (magnitude >= kMillion) return number(std::round(value / 1e4) / 100.0) + " M";
+    if (magnitude >= 1e6) return number(std::round(value / 1e4) / 100.0) + " M";
+    if (magnitude >= 1e4) return number(std::round(value / 100.0) / 10.0) + " k";
     const int decimals = magnitude >= 100.0 || magnitude == 0.0 ? 0
                          : magnitude >= 10.0                    ? 1
                          : magnitude >= 1.0                     ? 2

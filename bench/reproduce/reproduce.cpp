@@ -65,6 +65,10 @@ Report measure(const Options& options, const OnPart& on_part) {
          {&worlds.workplace, &worlds.mit_csail, &worlds.intel, &worlds.laboratory}) {
         report.worlds.push_back(world->origin);
     }
+    // In small worlds all is coarse.
+    const auto fine = [&](double resolution_m) {
+        return options.size == Size::full ? resolution_m : kPaperFollowResolutionM;
+    };
     const auto add = [&](std::string_view part, auto&& figure_of) {
         parts.begin(part);
         report.figures.push_back(figure_of());
@@ -74,7 +78,8 @@ Report measure(const Options& options, const OnPart& on_part) {
     add("Fig 7", [&] { return figure_7(worlds, setup); });
     add("Fig 11", [&] { return figure_11(worlds, setup); });
     parts.begin("following");
-    const FollowedTwice workplace = follow_twice(worlds.workplace, kWorkplaceResolutionM, setup);
+    const FollowedTwice workplace =
+        follow_twice(worlds.workplace, fine(kWorkplaceResolutionM), setup);
     add("Fig 12", [&] { return figure_12(worlds, workplace, setup); });
     add("Fig 13", [&] { return figure_13(worlds); });
     parts.begin("following");
@@ -87,7 +92,8 @@ Report measure(const Options& options, const OnPart& on_part) {
         return std::move(result.figure);
     });
     parts.begin("following");
-    const FollowedTwice laboratory = follow_twice(worlds.laboratory, kLaboratoryResolutionM, setup);
+    const FollowedTwice laboratory =
+        follow_twice(worlds.laboratory, fine(kLaboratoryResolutionM), setup);
     add("Figs 20-22", [&] { return figures_20_to_22(worlds, laboratory, setup); });
     report.elapsed_s = ms_since(start) / 1000.0;
     return report;

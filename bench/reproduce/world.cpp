@@ -8,8 +8,10 @@
 #include "bench/building_case.hpp"
 #include "bench/cases.hpp"
 #include "io/carmen.hpp"
+#include "io/file.hpp"
 #include "io/label_image.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/base/error.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/inside.hpp"
@@ -20,6 +22,12 @@
 namespace quadcut::reproduce {
 namespace {
 
+constexpr const char* kCsailLog = "logs/mit_csail.log";
+constexpr const char* kIntelLog = "logs/intel.log";
+constexpr const char* kIntelMap = "logs/intel.gt.yaml";
+constexpr const char* kIntelRooms = "logs/intel.gt_rooms.png";
+constexpr const char* kLaboratoryMap = "rooms/lab_c_scan.furnished.yaml";
+constexpr const char* kLaboratoryRooms = "rooms/lab_c_scan.rooms.png";
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// Lays the scans into a map.
@@ -30,13 +38,13 @@ void complete(World& world) {
     world.map = map_from_scans(world.scans, kResolutionM).to_grid();
 }
 
-/// The robot of the paper, which looks about half as often as it could.
+/// The robot of the paper, which looks as often as those of the sparse logs do.
 sim::RobotOptions robot_options(std::uint64_t seed) {
     sim::RobotOptions options;
     options.seed = seed;
     options.laser.angle_step_rad = 0.5 * kDegree;
-    options.key_distance_m = 0.5;
-    options.key_turn_rad = 30.0 * kDegree;
+    options.key_distance_m = 0.8;
+    options.key_turn_rad = 40.0 * kDegree;
     return options;
 }
 
@@ -99,6 +107,15 @@ void read_truth(World& world, const GridMap& map, const std::filesystem::path& i
 
 }  // namespace
 
+void check_data(const std::filesystem::path& data) {
+    for (const char* file :
+         {kCsailLog, kIntelLog, kIntelMap, kIntelRooms, kLaboratoryMap, kLaboratoryRooms}) {
+        if (std::filesystem::exists(data / file)) continue;
+        throw InputError(io::display_name(data / file) +
+                         ": does not exist: expected a folder with the data's logs and rooms");
+    }
+}
+
 World workplace(std::uint64_t seed) {
     World world;
     world.name = "workplace";
@@ -111,18 +128,17 @@ World workplace(std::uint64_t seed) {
 }
 
 World mit_csail(const std::optional<std::filesystem::path>& data, Size size, std::uint64_t seed) {
-    if (data) return from_log("MIT-CSAIL", *data / "logs/mit_csail.log");
+    if (data) return from_log("MIT-CSAIL", *data / kCsailLog);
     return simulated("building A", "MIT-CSAIL", size == Size::small ? 5 : 24, 0.5, seed);
 }
 
 World intel(const std::optional<std::filesystem::path>& data, Size size, std::uint64_t seed) {
     if (!data) {
-        return simulated("building B", "the Intel lab", size == Size::small ? 6 : 28, 0.5,
+        return simulated("building B", "the Intel lab", size == Size::small ? 6 : 24, 0.5,
                          seed + 1);
     }
-    World world = from_log("Intel", *data / "logs/intel.log");
-    read_truth(world, io::read_map(*data / "logs/intel.gt.yaml").map,
-               *data / "logs/intel.gt_rooms.png");
+    World world = from_log("Intel", *data / kIntelLog);
+    read_truth(world, io::read_map(*data / kIntelMap).map, *data / kIntelRooms);
     return world;
 }
 
@@ -131,7 +147,7 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
         return simulated("laboratory", "the paper's laboratory", size == Size::small ? 4 : 9, 1.0,
                          seed + 2);
     }
-    const GridMap ground = io::read_map(*data / "rooms/lab_c_scan.furnished.yaml").map;
+    const GridMap ground = io::read_map(*data / kLaboratoryMap).map;
     World world;
     world.name = "laboratory";
     // The inside of furniture is drawn as unknown, which would not stop the laser.
@@ -139,7 +155,7 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
     std::replace(solid.states.values.begin(), solid.states.values.end(), CellState::unknown,
                  CellState::occupied);
     explore(world, solid, widest_place(ground), seed);
-    read_truth(world, ground, *data / "rooms/lab_c_scan.rooms.png");
+    read_truth(world, ground, *data / kLaboratoryRooms);
     world.origin =
         "laboratory: the floor plan of a real one with its furniture, "
         "lab_c_scan.furnished (not the paper's), and a simulated robot, " +

@@ -39,6 +39,9 @@ struct World {
 /// Cells of the maps, metres.
 inline constexpr double kResolutionM = 0.05;
 
+/// Throws InputError that names the first file that the functions below would miss in `data`.
+void check_data(const std::filesystem::path& data);
+
 /// The paper's well-structured workplace (Fig 11), simulated, explored by a simulated robot.
 [[nodiscard]] World workplace(std::uint64_t seed);
 /// `data`/logs/mit_csail.log; a simulated building of its size without data.
