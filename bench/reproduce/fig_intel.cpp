@@ -87,6 +87,24 @@ double mean_nodes(const Followed& followed) {
     return sum / static_cast<double>(std::max<std::size_t>(1, followed.local_nodes.size()));
 }
 
+/// The lines of the summary.
+std::vector<Headline> headlines_of(const World& world, const Contest& contest,
+                                   const LocalCuts& local, const FollowedTwice& intel) {
+    return {
+        {"Whole map of " + world.name + ", preset paper", kPaperWholeMs, contest.paper.elapsed_ms,
+         "cells of 5 cm, " + in_words(static_cast<double>(contest.paper.num_units)) + " nodes"},
+        {"Whole map of " + world.name + ", preset rooms", kPaperWholeMs, contest.rooms.elapsed_ms,
+         "cells of 5 cm"},
+        {"Local segmentation of about 150 nodes, preset paper", kPaperLocalMs, local.median_ms,
+         "median of " + std::to_string(kNumPlaces) + " places, " + in_words(local.mean_nodes) +
+             " nodes"},
+        {"Local update while following, preset paper", kPaperLocalMs, median(intel.paper.cuts_ms),
+         "median of all cuts, cells of 20 cm, " + in_words(mean_nodes(intel.paper)) +
+             " nodes in the mean"},
+        {"Local update while following, preset rooms", kPaperLocalMs, median(intel.rooms.cuts_ms),
+         "median of all cuts, cells of 5 cm, all within 20 m of what has changed"}};
+}
+
 }  // namespace
 
 IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Setup& setup) {
@@ -128,18 +146,7 @@ IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Se
           {"its nodes, mean",
            "",
            {none(), number(mean_nodes(intel.paper), 0), number(mean_nodes(intel.rooms), 0)}}}});
-    result.headlines = {
-        {"Whole map of " + world.name + ", preset paper", kPaperWholeMs, contest.paper.elapsed_ms,
-         "cells of 5 cm, " + in_words(static_cast<double>(contest.paper.num_units)) + " nodes"},
-        {"Whole map of " + world.name + ", preset rooms", kPaperWholeMs, contest.rooms.elapsed_ms,
-         "cells of 5 cm"},
-        {"Local segmentation of about 150 nodes, preset paper", kPaperLocalMs, local.median_ms,
-         "median of " + std::to_string(kNumPlaces) + " places, " + nodes + " nodes"},
-        {"Local update while following, preset paper", kPaperLocalMs, paper_update_ms,
-         "median of all cuts, cells of 20 cm, " + in_words(mean_nodes(intel.paper)) +
-             " nodes in the mean"},
-        {"Local update while following, preset rooms", kPaperLocalMs, rooms_update_ms,
-         "median of all cuts, cells of 5 cm, all within 20 m of what has changed"}};
+    result.headlines = headlines_of(world, contest, local, intel);
     const double share = 100.0 * local.median_ms / contest.paper.elapsed_ms;
     figure.claims = {
         {contest.paper.elapsed_ms < kPaperWholeMs,

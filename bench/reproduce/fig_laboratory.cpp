@@ -63,6 +63,9 @@ Table followed_table(const World& world, const Followed& paper, const Followed& 
           "",
           {none(), number(num_true_rooms(world, paper.map())),
            number(num_true_rooms(world, rooms.map()))}},
+         {"true rooms that are cut apart",
+          "",
+          {words("some"), number(cut_rooms(paper, world)), number(cut_rooms(rooms, world))}},
          {"PQ against the true rooms at the end",
           "%",
           {none(), pq_value(paper.moments.back(), world), pq_value(rooms.moments.back(), world)}},
@@ -92,13 +95,14 @@ Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory, c
         ". Followed in the preset paper on cells of 10 cm, rooms of 5 cm; then the whole map, "
         "cut by all methods.";
     figure.pictures = {
+        scans_picture("fig20_scans.png", world.scans, world.map, "What the robot saw, and its way"),
         quadtree_picture("fig20_quadtree.png", world.map, "Fig 20: the quadtree's leaves"),
         plan_picture("fig21_paper.png", half(paper).map, half(paper).rooms,
                      "Fig 21: half the way, preset paper, " + half(paper).caption),
-        plan_picture("fig22_paper.png", paper.map(), paper.rooms(),
-                     "Fig 22: the end, preset paper, " + paper.moments.back().caption),
         plan_picture("fig21_rooms.png", half(rooms).map, half(rooms).rooms,
                      "Half the way, preset rooms, " + half(rooms).caption),
+        plan_picture("fig22_paper.png", paper.map(), paper.rooms(),
+                     "Fig 22: the end, preset paper, " + paper.moments.back().caption),
         plan_picture("fig22_rooms.png", rooms.map(), rooms.rooms(),
                      "The end, preset rooms, " + rooms.moments.back().caption)};
     std::vector<Picture> whole = pictures_of(contest, world, "fig22_whole");
