@@ -24,6 +24,7 @@ struct Command {
 [[nodiscard]] Command score_command();
 [[nodiscard]] Command simulate_command();
 [[nodiscard]] Command demo_command();
+[[nodiscard]] Command reproduce_command();
 [[nodiscard]] Command options_command();
 [[nodiscard]] Command version_command();
 

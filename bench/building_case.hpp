@@ -60,21 +60,27 @@ struct MappedBuilding {
     Raster<std::uint32_t> truth;
 };
 
-/// The true rooms at the free cells of another map of the building, by the map frame.
-inline Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map) {
-    Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
-    const GridMap& world = building.map;
-    const Pose world_from_map = compose(inverse(world.map_from_image), map.map_from_image);
-    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+/// The labels of a map at the free cells of another one, by the map frame; 0 beyond.
+template <typename Label>
+Raster<std::uint32_t> labels_at(const GridMap& labelled, const Raster<Label>& labels,
+                                const GridMap& map) {
+    Raster<std::uint32_t> result(map.states.origin, map.states.width, map.states.height);
+    const Pose labelled_from_map = compose(inverse(labelled.map_from_image), map.map_from_image);
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
         if (map.states.values[i] != CellState::free) continue;
-        const Cell cell = truth.cell(i);
-        const Point at = transform(
-            world_from_map, {(cell.x + 0.5) * map.resolution_m, (cell.y + 0.5) * map.resolution_m});
-        const Cell in_world{static_cast<std::int32_t>(std::floor(at.x / world.resolution_m)),
-                            static_cast<std::int32_t>(std::floor(at.y / world.resolution_m))};
-        if (building.labels.contains(in_world)) truth.values[i] = building.labels.at(in_world);
+        const Cell cell = result.cell(i);
+        const Point at = transform(labelled_from_map, {(cell.x + 0.5) * map.resolution_m,
+                                                       (cell.y + 0.5) * map.resolution_m});
+        const Cell from{static_cast<std::int32_t>(std::floor(at.x / labelled.resolution_m)),
+                        static_cast<std::int32_t>(std::floor(at.y / labelled.resolution_m))};
+        if (labels.contains(from)) result.values[i] = labels.at(from);
     }
-    return truth;
+    return result;
+}
+
+/// The true rooms at the free cells of another map of the building.
+inline Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map) {
+    return labels_at(building.map, building.labels, map);
 }
 
 inline sim::Building building_of(const BuildingCase& chosen) {

@@ -16,7 +16,8 @@
 #include "bench/flat_ray_caster.hpp"
 #include "bench/id_switches.hpp"
 #include "bench/kd_tree.hpp"
-#include "bench/plot.hpp"
+#include "bench/reproduce/plot.hpp"
+#include "bench/timing.hpp"
 #include "io/score.hpp"
 #include "quadcut/segment/follow.hpp"
 #include "quadcut/segment/segment.hpp"
@@ -62,28 +63,6 @@ struct FollowedLog {
 
 namespace follow_log {
 
-inline double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
-inline std::vector<Cell> obstacles(const OccupancyMap& map) {
-    std::vector<Cell> cells;
-    const Box tiles = map.written_tiles();
-    for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
-        for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
-            const Tile& values = map.tile(tile);
-            const Cell low = first_cell_of(tile);
-            for (std::size_t i = 0; i < kTileCells; ++i) {
-                if (values.values[i] <= 0) continue;
-                cells.push_back({low.x + static_cast<std::int32_t>(i % kTileSide),
-                                 low.y + static_cast<std::int32_t>(i / kTileSide)});
-            }
-        }
-    }
-    return cells;
-}
-
 inline double known_m2(const OccupancyMap& map) {
     std::size_t cells = 0;
     const Box tiles = map.written_tiles();
@@ -101,8 +80,6 @@ inline double known_m2(const OccupancyMap& map) {
 
 inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOptions& options = {}) {
     using follow_log::known_m2;
-    using follow_log::ms_since;
-    using follow_log::obstacles;
     constexpr std::size_t kWindow = 100;
     const std::size_t sample = std::max<std::size_t>(1, scans.size() / 200);
     FollowedLog result;
@@ -122,7 +99,7 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
         result.ray_caster_ms.push_back(ms_since(cast));
         const auto at = static_cast<double>(i + 1);
         if ((i + 1) % sample == 0) {
-            std::vector<Cell> points = obstacles(follower.map());
+            std::vector<Cell> points = obstacles_of(follower.map());
             const auto build = std::chrono::steady_clock::now();
             const KdTree tree(std::move(points));
             result.kd_tree_ms.points.push_back({at, ms_since(build)});

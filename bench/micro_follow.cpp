@@ -288,7 +288,7 @@ void kill_often(std::size_t count) {
     const std::string follow = program + " follow sim/robot.log --quiet -o ";
     const auto start = std::chrono::steady_clock::now();
     run(follow + "whole");
-    const double whole_s = follow_log::ms_since(start) / 1000.0;
+    const double whole_s = ms_since(start) / 1000.0;
     Random random(static_cast<std::uint64_t>(start.time_since_epoch().count()));
     std::size_t num_kills = 0;
     std::size_t num_differing = 0;
@@ -337,7 +337,7 @@ void locate_often() {
     std::size_t checksum = 0;
     const auto start = std::chrono::steady_clock::now();
     for (const Point& point : points) checksum += index(follower.room_at(point));
-    const double ms = follow_log::ms_since(start);
+    const double ms = ms_since(start);
     std::printf("locate: %.0f ns a point (%zu points, checksum %zu)\n",
                 1e6 * ms / static_cast<double>(kCount), kCount, checksum);
 }

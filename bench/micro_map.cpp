@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/flat_grid.hpp"
+#include "bench/pointer_quadtree.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/base/random.hpp"
@@ -26,84 +28,6 @@ namespace {
 constexpr int kRepeats = 9;
 constexpr std::size_t kNumLookups = 10'000'000;
 constexpr std::size_t kPasses = 10;  // over a tenth as many cells
-
-/// One int8 a cell over a rectangle that is known beforehand.
-class FlatGrid {
-public:
-    /// All 0. @pre so is `box`.
-    explicit FlatGrid(Raster<std::int8_t> box) : cells_(std::move(box)) {}
-
-    [[nodiscard]] int log_odds(Cell cell) const {
-        const auto x = static_cast<std::uint32_t>(cell.x - cells_.origin.x);
-        const auto y = static_cast<std::uint32_t>(cell.y - cells_.origin.y);
-        const auto width = static_cast<std::uint32_t>(cells_.width);
-        if (x >= width || y >= static_cast<std::uint32_t>(cells_.height)) return 0;
-        return cells_.values[std::size_t{y} * width + x];
-    }
-    void set(Cell cell, int log_odds) {
-        if (cells_.contains(cell)) cells_.at(cell) = static_cast<std::int8_t>(log_odds);
-    }
-    [[nodiscard]] std::size_t bytes() const { return cells_.values.capacity(); }
-
-private:
-    Raster<std::int8_t> cells_;
-};
-
-/// A node for every block, four children allocated together; blocks of one value collapse at once.
-class PointerQuadtree {
-public:
-    explicit PointerQuadtree(const Root& root) : root_(root) {}
-
-    [[nodiscard]] int log_odds(Cell cell) const {
-        const Cell at{cell.x - root_.lower_left.x, cell.y - root_.lower_left.y};
-        const std::int32_t side = root_.side_cells();
-        if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return 0;
-        const Node* node = &top_;
-        for (int level = root_.level - 1; node->children; --level) {
-            node = &node->children[child(at, level)];
-        }
-        return node->value;
-    }
-    void set(Cell cell, int log_odds) {
-        set(top_, {cell.x - root_.lower_left.x, cell.y - root_.lower_left.y}, root_.level,
-            static_cast<std::int8_t>(log_odds));
-    }
-    /// Bytes that the nodes ask for, without what the allocator adds.
-    [[nodiscard]] std::size_t bytes() const { return sizeof(Node) * (1 + 4 * num_inner_); }
-
-private:
-    struct Node {
-        std::unique_ptr<Node[]> children;
-        std::int8_t value = 0;
-    };
-
-    static std::size_t child(Cell at, int level) {
-        return static_cast<std::size_t>((at.x >> level & 1) | (at.y >> level & 1) << 1);
-    }
-    void set(Node& node, Cell at, int level, std::int8_t value) {
-        if (level == 0) {
-            node.value = value;
-            return;
-        }
-        if (!node.children) {
-            if (node.value == value) return;
-            node.children = std::make_unique<Node[]>(4);
-            for (std::size_t i = 0; i < 4; ++i) node.children[i].value = node.value;
-            ++num_inner_;
-        }
-        set(node.children[child(at, level - 1)], at, level - 1, value);
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (node.children[i].children || node.children[i].value != value) return;
-        }
-        node.children.reset();
-        node.value = value;
-        --num_inner_;
-    }
-
-    Root root_;
-    Node top_;
-    std::size_t num_inner_ = 0;
-};
 
 double milliseconds(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -254,25 +178,6 @@ std::vector<Row> bench_raster(const std::string& name, const GridMap& grid) {
     PointerQuadtree tree(map->root());
     const double tree_ms = milliseconds([&] { fill(tree); });
     return compare(name, box, {flat_ms, map_ms, tree_ms}, flat, *map, tree);
-}
-
-/// The same evidence, scan by scan, into each structure.
-template <typename Structure>
-void replay(Structure& structure, const std::vector<std::vector<TileEvidence>>& scans) {
-    const IntegrateOptions options;
-    for (const std::vector<TileEvidence>& scan : scans) {
-        for (const TileEvidence& one : scan) {
-            for (int i = 0; i < 64; ++i) {
-                const bool hit = (one.hit >> i & 1) != 0;
-                if (hit || (one.miss >> i & 1) != 0) {
-                    const Cell cell{one.tile.x * 8 + i % 8, one.tile.y * 8 + i / 8};
-                    const int before = structure.log_odds(cell);
-                    const int after{bounded_sum(before, hit ? options.hit : options.miss)};
-                    if (after != before) structure.set(cell, after);
-                }
-            }
-        }
-    }
 }
 
 std::vector<Row> bench_log(const std::string& name, const std::filesystem::path& path) {

@@ -7,9 +7,9 @@
 #include <cstdint>
 
 #include "bench/gallery/pair_picture.hpp"
+#include "bench/plan_within.hpp"
 #include "io/file.hpp"
 #include "io/render.hpp"
-#include "io/results.hpp"
 
 namespace quadcut::gallery {
 namespace {
@@ -54,14 +54,6 @@ Entry write_pair(const Exhibit& exhibit, const std::string& note,
             exhibit.comparison.predicted.size(),
             exhibit.result.rooms.doors.size(),
             exhibit.comparison};
-}
-
-io::FloorPlan plan_within(const GridMap& map, const Segmentation& rooms, double width,
-                          double height) {
-    const std::vector<io::Rgb> colors = io::room_colors(rooms, io::find_near_rooms(map, rooms));
-    const io::FloorPlan plan = io::lay_out_floor_plan(map, rooms, colors);
-    const double factor = std::min({1.0, width / plan.page_width, height / plan.page_height});
-    return io::placed(plan, factor, {0.0, 0.0});
 }
 
 Entry write_alone(const std::string& name, const std::string& note, const GridMap& map,

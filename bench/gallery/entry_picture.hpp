@@ -8,7 +8,6 @@
 #include "bench/gallery/exhibit.hpp"
 #include "bench/gallery/index_page.hpp"
 #include "io/canvas.hpp"
-#include "io/floor_plan.hpp"
 
 namespace quadcut::gallery {
 
@@ -20,10 +19,6 @@ namespace quadcut::gallery {
 [[nodiscard]] Entry write_alone(const std::string& name, const std::string& note,
                                 const GridMap& map, const Segmentation& rooms,
                                 const std::filesystem::path& output, const std::string& image);
-
-/// The result's plan with names and doors, at most `width` x `height` pixels.
-[[nodiscard]] io::FloorPlan plan_within(const GridMap& map, const Segmentation& rooms, double width,
-                                        double height);
 
 /// Writes a PNG, and makes its folder if need be.
 void write_canvas(const io::Canvas& canvas, const std::filesystem::path& path);

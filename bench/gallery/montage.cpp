@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "bench/gallery/entry_picture.hpp"
+#include "bench/plan_within.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/render.hpp"

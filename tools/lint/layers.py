@@ -19,7 +19,8 @@ MAY_INCLUDE = {
     "sim": CORE | {"io"},
     "store": CORE | {"io"},
     "backends": CORE,
-    "apps": CORE | {"io", "sim", "store", "backends"},
+    # bench: what `quadcut reproduce` runs.
+    "apps": CORE | {"io", "sim", "store", "backends", "bench"},
 }
 
 
