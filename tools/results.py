@@ -254,12 +254,13 @@ def scale(files: dict, old: str) -> str | None:
     rows = [row for row in files["scale"]["rows"] if "kind" in row]
     shown = [row for row in rows if row["kind"] != "data" or row["cells"] > 2e6]
     lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{1e-6 * row['free_cells']:.2f}",
-              str(row["rooms"]), f"{row['segment_ms']:.0f}", f"{row['ratio']:.1f}",
+              str(row["rooms"]), f"{row['segment_ms']:.0f}", f"{row['segment_cpu_ms']:.0f}",
+              f"{row['distance_transform_ms']:.0f}", f"{row['ratio']:.1f}",
               f"{row['peak_mib']:.0f}"] for row in shown]
     fits = [[row["fit"], f"{row['exponent']:.3f}", str(row["maps"]), f"{row['largest_deviation']:.2f}"]
             for row in files["scale"]["rows"] if "fit" in row]
-    return (table(["map", "megacells", "free", "rooms", "`segment()` ms", "over distance transform",
-                   "peak MiB"], lines) + "\n"
+    return (table(["map", "megacells", "free", "rooms", "`segment()` ms", "of CPU, all threads",
+                   "distance transform ms", "ratio", "peak MiB"], lines) + "\n"
             + table(["from 10^6 cells on", "exponent", "maps", "within a factor"], fits)
             + source(files["scale"]))
 
