@@ -12,14 +12,6 @@ BitRaster::BitRaster(Cell low, Cell high) {
     words_.assign(words_per_row_ * static_cast<std::size_t>(height_), 0);
 }
 
-void BitRaster::set(Cell cell) {
-    if (contains(cell)) words_[word(cell)] |= bit(cell);
-}
-
-void BitRaster::flip(Cell cell) {
-    if (contains(cell)) words_[word(cell)] ^= bit(cell);
-}
-
 bool BitRaster::test(Cell cell) const {
     return contains(cell) && (words_[word(cell)] & bit(cell)) != 0;
 }

@@ -22,8 +22,12 @@ public:
     [[nodiscard]] std::int32_t height() const { return height_; }
 
     /// Cells outside are ignored.
-    void set(Cell cell);
-    void flip(Cell cell);
+    void set(Cell cell) {
+        if (contains(cell)) words_[word(cell)] |= bit(cell);
+    }
+    void flip(Cell cell) {
+        if (contains(cell)) words_[word(cell)] ^= bit(cell);
+    }
     [[nodiscard]] bool test(Cell cell) const;
 
     /// Every cell becomes the parity of the bits from the row's left end up to itself.

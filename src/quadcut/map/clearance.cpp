@@ -57,10 +57,11 @@ public:
             const double farthest = *std::max_element(squared_.begin(), squared_.begin() + length);
             for (std::size_t i = begin; i < x; ++i) {
                 const double squared = squared_[i - begin];
-                // Whole numbers: below 2^24 the root of the float is the rounded root of the double.
-                const float centre_distance =
-                    farthest < kExactFloat ? std::sqrt(static_cast<float>(squared))
-                                           : static_cast<float>(std::sqrt(squared));
+                // Whole numbers: below 2^24 the root of the float is the rounded root of the
+                // double.
+                const float centre_distance = farthest < kExactFloat
+                                                  ? std::sqrt(static_cast<float>(squared))
+                                                  : static_cast<float>(std::sqrt(squared));
                 row[i] = (centre_distance - 0.5F) * resolution_m;
             }
         }

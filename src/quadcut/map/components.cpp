@@ -28,8 +28,8 @@ FreeComponents find_free_components(const Raster<CellState>& states, const Execu
             FreeComponents::Component& component = free.components[run.part - 1];
             const std::size_t length = run.end - run.begin;
             const auto last_column = static_cast<std::uint32_t>(states.width - 1);
-            const std::size_t num_ends = (run.begin == 0 ? 1U : 0U) +
-                                         (run.end > last_column && last_column > 0 ? 1U : 0U);
+            const std::size_t num_ends =
+                (run.begin == 0 ? 1U : 0U) + (run.end > last_column && last_column > 0 ? 1U : 0U);
             component.num_cells += length;
             component.num_border_cells += is_edge_row ? length : num_ends;
         }

@@ -41,9 +41,9 @@ std::vector<bool> ConnectedParts::on_edge() const {
 
 std::uint32_t ConnectedParts::part_at(std::uint32_t column, std::size_t row) const {
     const auto end = runs.begin() + static_cast<std::ptrdiff_t>(row_begin[row + 1]);
-    const auto found = std::upper_bound(
-        runs.begin() + static_cast<std::ptrdiff_t>(row_begin[row]), end, column,
-        [](std::uint32_t x, const CellRun& run) { return x < run.end; });
+    const auto found =
+        std::upper_bound(runs.begin() + static_cast<std::ptrdiff_t>(row_begin[row]), end, column,
+                         [](std::uint32_t x, const CellRun& run) { return x < run.end; });
     return found != end && found->begin <= column ? found->part : 0;
 }
 
@@ -58,8 +58,8 @@ ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity) {
             CellRun& run = parts.runs[i];
             while (below < below_end && parts.runs[below].end + corner <= run.begin) ++below;
             // The last one that touches this run may touch the next one, too.
-            for (std::size_t j = below;
-                 j < below_end && parts.runs[j].begin < run.end + corner; ++j) {
+            for (std::size_t j = below; j < below_end && parts.runs[j].begin < run.end + corner;
+                 ++j) {
                 if (found.keys[j] != found.keys[i]) continue;
                 if (run.part == 0) {
                     run.part = parts.runs[j].part;

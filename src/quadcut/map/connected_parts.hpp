@@ -50,7 +50,8 @@ struct ConnectedParts {
     void paint(const Values& values, Raster<T>& cells) const {
         std::fill(cells.values.begin(), cells.values.end(), static_cast<T>(values[0]));
         for_each_run([&](const CellRun& run, std::size_t first) {
-            std::fill_n(&cells.values[first], run.end - run.begin, static_cast<T>(values[run.part]));
+            std::fill_n(&cells.values[first], run.end - run.begin,
+                        static_cast<T>(values[run.part]));
         });
     }
     /// For each part, whether it has cells on the edge of the raster.

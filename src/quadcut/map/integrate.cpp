@@ -58,9 +58,7 @@ std::optional<double> first_sure_wall(const OccupancyMap& map, const Point& from
     double stretch = 2.0;  // where the stretch that is not began; beyond the end: nowhere
     walk_line({from.x / kTileSide, from.y / kTileSide}, {to.x / kTileSide, to.y / kTileSide},
               [&](Cell tile, double t) {
-                  const bool is_plain =
-                      map.is_uniform_tile(tile) && map.tile(tile).values.front() < sure;
-                  if (!is_plain) {
+                  if (map.shared_log_odds(tile) >= sure) {
                       stretch = std::min(stretch, t);
                   } else if (stretch < 1.0) {
                       search(stretch, std::min(t, 1.0));
@@ -90,20 +88,9 @@ void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Poin
 }
 
 bool is_near(Cell tile, const Point& sensor, double range) {
-    return std::hypot((tile.x + 0.5) * kTileSide - sensor.x,
-                      (tile.y + 0.5) * kTileSide - sensor.y) < range;
-}
-
-Tile with_evidence(const Tile& tile, const TileEvidence& evidence,
-                   const IntegrateOptions& options) {
-    Tile sum = tile;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        const int delta = (evidence.hit >> i & 1) != 0    ? options.hit
-                          : (evidence.miss >> i & 1) != 0 ? options.miss
-                                                          : 0;
-        sum.values[i] = bounded_sum(sum.values[i], delta);
-    }
-    return sum;
+    const double x = (tile.x + 0.5) * kTileSide - sensor.x;
+    const double y = (tile.y + 0.5) * kTileSide - sensor.y;
+    return x * x + y * y < range * range;
 }
 
 // Around the lower left cells of the tiles.
@@ -144,8 +131,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
             const std::uint64_t hit = cells.hit.tile_rows(x, y);
             std::uint64_t miss = cells.free.tile_rows(x, y) & ~hit;
             if (miss != 0 && !map.is_uniform_tile(tile) && !is_near(tile, sensor, trusted_range)) {
-                miss &= ~rows_where(map.tile(tile),
-                                    [&](int log_odds) { return log_odds >= options.sure; });
+                miss &= ~rows_at_least(map.tile(tile), options.sure);
             }
             if ((miss | hit) != 0) {
                 evidence.push_back({tile, miss, hit});
@@ -162,12 +148,10 @@ void add_evidence(OccupancyMap& map, std::span<const TileEvidence> evidence,
     const Box box = box_of(evidence);
     map.reserve(box.low, box.high);
     for (const TileEvidence& one : evidence) {
-        const Tile& tile = map.tile(one.tile);
         // Most of what a scan sees is a block that is as free as can be.
-        if (one.hit == 0 && map.is_uniform_tile(one.tile) && tile.values.front() == kMinLogOdds) {
-            continue;
-        }
-        map.set_tile(one.tile, with_evidence(tile, one, options));
+        if (one.hit == 0 && map.shared_log_odds(one.tile) == kMinLogOdds) continue;
+        map.set_tile(one.tile, bounded_sums(map.tile(one.tile), one.hit, options.hit, one.miss,
+                                            options.miss));
     }
 }
 

@@ -30,8 +30,31 @@ struct Layout {
         if (is_transposed) std::swap(cell.x, cell.y);
         return {box.low.x + cell.x, box.low.y + cell.y};
     }
+    /// The same for a point; both in cells, the new cell (0, 0) covering [0, 1) x [0, 1).
+    [[nodiscard]] Point source_point(Point point) const {
+        if (is_x_reversed) point.x = width() - point.x;
+        if (is_y_reversed) point.y = height() - point.y;
+        if (is_transposed) std::swap(point.x, point.y);
+        return {box.low.x + point.x, box.low.y + point.y};
+    }
     [[nodiscard]] std::int32_t width() const { return is_transposed ? box.height() : box.width(); }
     [[nodiscard]] std::int32_t height() const { return is_transposed ? box.width() : box.height(); }
+};
+
+/// The map as it lies, from cell (0, 0) on.
+[[nodiscard]] inline Layout as_it_lies(const Box& box) { return {box, false, false, false}; }
+
+/// Where what was laid out lies in the map frame.
+struct LaidOutFrame {
+    Layout layout;
+    double resolution_m = 0.05;
+    Pose map_from_image;
+
+    /// Of a point in cells of the layout; metres.
+    [[nodiscard]] Point in_map(const Point& cells) const {
+        const Point at = layout.source_point(cells);
+        return transform(map_from_image, {at.x * resolution_m, at.y * resolution_m});
+    }
 };
 
 /// Sums over cells of the powers 0 to 3 of one coordinate.
@@ -60,38 +83,39 @@ void for_each_laid_out(const Raster<T>& raster, const Layout& layout, const Exec
     const std::int32_t width = layout.width();
     const std::int32_t height = layout.height();
     if (width <= 0 || height <= 0) return;
-    parallel_for(
-        executor, static_cast<std::size_t>(height), kBlock,
-        [&](std::size_t first, std::size_t last) {
-            const auto low = static_cast<std::int32_t>(first);
-            const auto high = static_cast<std::int32_t>(last);
-            const std::int32_t columns = layout.is_transposed ? kBlock : width;
-            for (std::int32_t begin = 0; begin < width; begin += columns) {
-                const std::int32_t end = std::min(width, begin + columns);
-                for (std::int32_t y = low; y < high; ++y) {
-                    const Cell from = layout.source({begin, y});
-                    const Cell next = layout.source({begin + 1, y});
-                    const Cell step{next.x - from.x, next.y - from.y};
-                    // The columns whose source lies in the raster.
-                    std::int32_t x = begin;
-                    std::int32_t stop = end;
-                    const auto source = [&](std::int32_t column) {
-                        return Cell{from.x + (column - begin) * step.x,
-                                    from.y + (column - begin) * step.y};
-                    };
-                    while (x < stop && !raster.contains(source(x))) ++x;
-                    while (x < stop && !raster.contains(source(stop - 1))) --stop;
-                    if (x >= stop) continue;
-                    const auto stride = static_cast<std::ptrdiff_t>(step.x) +
-                                        static_cast<std::ptrdiff_t>(step.y) * raster.width;
-                    auto there = static_cast<std::ptrdiff_t>(raster.offset(source(x)));
-                    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-                    for (; x < stop; ++x, there += stride) {
-                        visit(row + static_cast<std::size_t>(x), static_cast<std::size_t>(there));
-                    }
-                }
-            }
-        });
+    parallel_for(executor, static_cast<std::size_t>(height), kBlock,
+                 [&](std::size_t first, std::size_t last) {
+                     const auto low = static_cast<std::int32_t>(first);
+                     const auto high = static_cast<std::int32_t>(last);
+                     const std::int32_t columns = layout.is_transposed ? kBlock : width;
+                     for (std::int32_t begin = 0; begin < width; begin += columns) {
+                         const std::int32_t end = std::min(width, begin + columns);
+                         for (std::int32_t y = low; y < high; ++y) {
+                             const Cell from = layout.source({begin, y});
+                             const Cell next = layout.source({begin + 1, y});
+                             const Cell step{next.x - from.x, next.y - from.y};
+                             // The columns whose source lies in the raster.
+                             std::int32_t x = begin;
+                             std::int32_t stop = end;
+                             const auto source = [&](std::int32_t column) {
+                                 return Cell{from.x + (column - begin) * step.x,
+                                             from.y + (column - begin) * step.y};
+                             };
+                             while (x < stop && !raster.contains(source(x))) ++x;
+                             while (x < stop && !raster.contains(source(stop - 1))) --stop;
+                             if (x >= stop) continue;
+                             const auto stride = static_cast<std::ptrdiff_t>(step.x) +
+                                                 static_cast<std::ptrdiff_t>(step.y) * raster.width;
+                             auto there = static_cast<std::ptrdiff_t>(raster.offset(source(x)));
+                             const std::size_t row =
+                                 static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+                             for (; x < stop; ++x, there += stride) {
+                                 visit(row + static_cast<std::size_t>(x),
+                                       static_cast<std::size_t>(there));
+                             }
+                         }
+                     }
+                 });
 }
 
 /// The raster in the layout, from cell (0, 0) on; `outside` where the box reaches beyond. O(box).

@@ -10,14 +10,20 @@
 
 namespace quadcut {
 
+/// The whole number below and above a value. @pre |value| < 2^31. Without SSE 4.1 std::floor and
+/// std::ceil are calls.
+[[nodiscard]] inline std::int32_t floor_to_int(double value) {
+    const auto toward_zero = static_cast<std::int32_t>(value);
+    return toward_zero - (static_cast<double>(toward_zero) > value ? 1 : 0);
+}
+[[nodiscard]] inline std::int32_t ceil_to_int(double value) {
+    const auto toward_zero = static_cast<std::int32_t>(value);
+    return toward_zero + (static_cast<double>(toward_zero) < value ? 1 : 0);
+}
+
 /// The cell that holds a point; both in cells. @pre |point| < 2^31.
 [[nodiscard]] inline Cell cell_of(const Point& point) {
-    // Without SSE 4.1 std::floor is a call.
-    const auto floor = [](double value) {
-        const auto toward_zero = static_cast<std::int32_t>(value);
-        return toward_zero - (static_cast<double>(toward_zero) > value ? 1 : 0);
-    };
-    return {floor(point.x), floor(point.y)};
+    return {floor_to_int(point.x), floor_to_int(point.y)};
 }
 
 /// The point `length` times `direction` away.

@@ -79,8 +79,9 @@ public:
 
     /// The 8 x 8 cells (8 tile.x .., 8 tile.y ..). The reference dies with the next write.
     [[nodiscard]] const Tile& tile(Cell tile) const { return store_.tile(tile); }
-    /// Whether these all share one value.
+    /// Whether these all share one value, and which; kMaxLogOdds + 1 if they do not.
     [[nodiscard]] bool is_uniform_tile(Cell tile) const { return store_.is_uniform(tile); }
+    [[nodiscard]] int shared_log_odds(Cell tile) const { return store_.shared_log_odds(tile); }
 
     [[nodiscard]] const Root& root() const { return root_; }
     /// Whether the root has its place; false until the first write.

@@ -15,12 +15,12 @@ namespace {
 // Flips the first cell right of the edge in each row whose centre line it crosses.
 void flip_edge(BitRaster& cells, Point a, Point b) {
     if (a.y > b.y) std::swap(a, b);
-    const auto first = static_cast<std::int32_t>(std::ceil(a.y - 0.5));
-    const auto end = static_cast<std::int32_t>(std::ceil(b.y - 0.5));
+    const std::int32_t first = ceil_to_int(a.y - 0.5);
+    const std::int32_t end = ceil_to_int(b.y - 0.5);
     const double slope = (b.x - a.x) / (b.y - a.y);
     for (std::int32_t y = first; y < end; ++y) {
         const double x = a.x + (y + 0.5 - a.y) * slope;
-        cells.flip({static_cast<std::int32_t>(std::ceil(x - 0.5)), y});
+        cells.flip({ceil_to_int(x - 0.5), y});
     }
 }
 
@@ -85,7 +85,10 @@ ScanCells cells_of(const std::vector<Beam>& beams, const Point& sensor, double a
     // A star that turns once around the sensor would cross itself if it turned further.
     const double num_in_turn = 2.0 * std::numbers::pi / std::max(std::abs(angle_step_rad), 1e-9);
     const auto whole_turn = static_cast<std::size_t>(std::max(1.0, std::floor(num_in_turn)));
-    for (std::size_t first = 0; first + 1 < beams.size(); first += whole_turn) {
+    if (beams.size() > 1) {
+        fill_star(cells.free, sensor, beams, reach, 0, std::min(whole_turn, beams.size() - 1));
+    }
+    for (std::size_t first = whole_turn; first + 1 < beams.size(); first += whole_turn) {
         BitRaster star = empty;
         fill_star(star, sensor, beams, reach, first,
                   std::min(first + whole_turn, beams.size() - 1));

@@ -60,15 +60,15 @@ struct alignas(kTileCells) Tile {
     std::array<std::int8_t, kTileCells> values{};
 };
 
-/// The cells whose log-odds fulfil a predicate, bit 8 y + x for cell (x, y).
-template <typename Predicate>
-[[nodiscard]] std::uint64_t rows_where(const Tile& tile, const Predicate& predicate) {
-    std::uint64_t rows = 0;
-    for (std::size_t i = 0; i < kTileCells; ++i) {
-        rows |= std::uint64_t{predicate(tile.values[i])} << i;
-    }
-    return rows;
-}
+/// The cells whose log-odds are below 0, and those where they are at least `bound` >= 1: bit
+/// 8 y + x for cell (x, y).
+[[nodiscard]] std::uint64_t rows_below_zero(const Tile& tile);
+[[nodiscard]] std::uint64_t rows_at_least(const Tile& tile, int bound);
+
+/// bounded_sum() of each cell with `if_hit` where a bit of `hit` is set, else with `if_miss` where
+/// one of `miss` is.
+[[nodiscard]] Tile bounded_sums(const Tile& tile, std::uint64_t hit, int if_hit, std::uint64_t miss,
+                                int if_miss);
 
 /// A set of cells of one tile, one bit each, in Morton order: an aligned block of side 2^l is a run
 /// of 4^l bits.

@@ -3,6 +3,7 @@
 #include "quadcut/map/tile_store.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace quadcut {
@@ -10,9 +11,8 @@ namespace quadcut {
 namespace {
 
 bool has_one_value(const Tile& tile) {
-    const std::int8_t first = tile.values.front();
-    return std::all_of(tile.values.begin(), tile.values.end(),
-                       [=](std::int8_t value) { return value == first; });
+    // Each is as the one before it.
+    return std::memcmp(tile.values.data(), tile.values.data() + 1, kTileCells - 1) == 0;
 }
 
 }  // namespace

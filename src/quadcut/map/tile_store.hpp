@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,6 +43,11 @@ public:
     [[nodiscard]] bool contains(Cell tile) const { return directory_.contains(tile); }
     /// Unknown outside the rectangle.
     [[nodiscard]] const Tile& tile(Cell tile) const { return tiles_[number(tile)]; }
+    /// The value that all cells share; kMaxLogOdds + 1 if they do not.
+    [[nodiscard]] int shared_log_odds(Cell tile) const {
+        const std::uint32_t place = number(tile);
+        return kMinLogOdds + static_cast<int>(std::min(place, kNumUniform));
+    }
     /// All cells share one value and the tile holds no bytes of its own.
     [[nodiscard]] bool is_uniform(Cell tile) const { return number(tile) < kNumUniform; }
 

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <utility>
+#include <vector>
+
+#include "quadcut/map/morton.hpp"
 
 namespace quadcut {
 namespace {
@@ -13,6 +17,16 @@ namespace {
 // The block `num_layers` above that holds one.
 Cell ancestor(Cell position, int num_layers) {
     return {position.x >> num_layers, position.y >> num_layers};
+}
+
+/// Smaller leaves first, else in the order they had.
+std::vector<Leaf> by_level(const std::vector<Leaf>& leaves) {
+    std::array<std::size_t, 33> begin{};
+    for (const Leaf& leaf : leaves) ++begin[leaf.level + std::size_t{1}];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Leaf> sorted(leaves.size());
+    for (const Leaf& leaf : leaves) sorted[begin[leaf.level]++] = leaf;
+    return sorted;
 }
 
 /// Goes down to the written tiles, and sets the blocks around them on the way back.
@@ -27,8 +41,7 @@ public:
     TreeChange run(std::span<const WrittenTile> tiles) {
         const int top = pyramid_.num_layers() - 1;
         account(top, {0, 0}, visit(top, {0, 0}, tiles), BlockState::absent, BlockState::mixed);
-        std::stable_sort(change_.leaves_added.begin(), change_.leaves_added.end(),
-                         [](const Leaf& a, const Leaf& b) { return a.level < b.level; });
+        change_.leaves_added = by_level(change_.leaves_added);
         return std::move(change_);
     }
 
@@ -54,10 +67,11 @@ private:
         std::array<Block, 4> children;
         for (std::size_t i = 0; i < 4; ++i) {
             const Cell child = child_of(position, static_cast<int>(i));
+            // In the order of their codes, those of one block follow each other.
+            const std::uint64_t beyond = (morton_code(child) + 1) << (2 * (layer - 1));
             const auto next =
-                std::find_if(tiles.begin(), tiles.end(), [&](const WrittenTile& tile) {
-                    return ancestor(tile.position, layer - 1) != child;
-                });
+                std::find_if(tiles.begin(), tiles.end(),
+                             [&](const WrittenTile& tile) { return tile.code >= beyond; });
             children[i] = visit(layer - 1, child, {tiles.begin(), next});
             tiles = {next, tiles.end()};
         }

@@ -31,23 +31,24 @@ std::vector<float> gaussian_kernel(double sigma_cells) {
     return kernel;
 }
 
-/// Rows first .. last - 1 of a raster that is made for them only; row y is at `row(y)`.
+/// Rows first .. last - 1 of a raster that is made for them only, with a column more at both ends.
 struct Rows {
     std::int64_t first;
     std::int64_t last;
-    std::size_t width;
+    std::size_t stride;
     std::vector<float> values;
 
-    Rows(std::int64_t first_row, std::int64_t last_row, std::size_t row_width)
+    Rows(std::int64_t first_row, std::int64_t last_row, std::size_t width)
         : first(first_row),
           last(last_row),
-          width(row_width),
-          values(static_cast<std::size_t>(last_row - first_row) * row_width) {}
+          stride(width + 2),
+          values(static_cast<std::size_t>(last_row - first_row) * stride) {}
+    /// From column 0 on.
     [[nodiscard]] float* row(std::int64_t y) {
-        return values.data() + static_cast<std::size_t>(y - first) * width;
+        return values.data() + static_cast<std::size_t>(y - first) * stride + 1;
     }
     [[nodiscard]] const float* row(std::int64_t y) const {
-        return values.data() + static_cast<std::size_t>(y - first) * width;
+        return values.data() + static_cast<std::size_t>(y - first) * stride + 1;
     }
 };
 
@@ -82,33 +83,16 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
     return result;
 }
 
-/// A step to a neighbour. Of cells of one level the one with the smaller offset is the higher.
-struct Step {
-    std::int32_t dx, dy;
-    float inverse_length;
-    [[nodiscard]] bool leads_back() const { return dy < 0 || (dy == 0 && dx < 0); }
-};
-constexpr float kDiagonal = 0.70710678F;
-constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F},
-                                      {-1, 0, 1.0F},
-                                      {0, 1, 1.0F},
-                                      {0, -1, 1.0F},
-                                      {1, 1, kDiagonal},
-                                      {-1, 1, kDiagonal},
-                                      {1, -1, kDiagonal},
-                                      {-1, -1, kDiagonal}}};
-
 /// Finds for each cell the neighbour to which it goes up most steeply, row by row.
 class Ascent {
 public:
     Ascent(const Raster<float>& clearance, const Rows& height, double resolution_m)
         : clearance_(clearance),
           height_(height),
-          width_(height.width),
+          width_(height.stride - 2),
           scale_(static_cast<float>(64.0 / resolution_m)),
-          steepest_(width_),
-          ahead_(width_) {
-        for (std::vector<std::int32_t>& levels : levels_) levels.resize(width_);
+          outside_(height.stride, -1) {
+        for (std::vector<std::int32_t>& levels : levels_) levels.resize(height.stride, -1);
         if (height.first < height.last) level(height.first);
         if (height.first + 1 < height.last) level(height.first + 1);
     }
@@ -117,24 +101,59 @@ public:
     /// lower. Rows are asked for one after the other, from the second on if there is one before.
     void find(std::int64_t y, std::uint32_t* uphill) {
         if (y + 1 < height_.last) level(y + 1);
-        std::fill(steepest_.begin(), steepest_.end(), -1e30F);
-        std::fill(ahead_.begin(), ahead_.end(), 0);
-        for (const Step& step : kSteps) {
-            if (y + step.dy >= height_.first && y + step.dy < height_.last) look(y, step);
-        }
-        const auto row = static_cast<std::int64_t>(width_) * y;
-        for (std::size_t x = 0; x < width_; ++x) {
-            uphill[x] = static_cast<std::uint32_t>(row + static_cast<std::int64_t>(x) + ahead_[x]);
+        // Rows outside have no level; their heights play no part.
+        const auto height = [&](std::int64_t row) {
+            return height_.row(row >= height_.first && row < height_.last ? row : y);
+        };
+        const std::array<const float*, 3> heights{height(y - 1), height(y), height(y + 1)};
+        const std::array<const std::int32_t*, 3> levels{levels_of(y - 1), levels_of(y),
+                                                        levels_of(y + 1)};
+        const auto width = static_cast<std::int32_t>(width_);
+        const auto row = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width_);
+        for (std::int32_t x = 0; x < width; ++x) {
+            float steepest = -1e30F;
+            std::int32_t ahead = 0;
+            // The loop over the steps is unrolled, the one over cells done several at a time.
+            for (const Step& step : kSteps) {
+                const auto at = static_cast<std::size_t>(step.dy + 1);
+                const float slope =
+                    (heights[at][x + step.dx] - heights[1][x]) * step.inverse_length;
+                const bool is_higher = levels[at][x + step.dx] >= levels[1][x] + step.more;
+                const bool is_steeper = is_higher & (slope > steepest);
+                steepest = is_steeper ? slope : steepest;
+                ahead = is_steeper ? step.dy * width + step.dx : ahead;
+            }
+            uphill[x] = row + static_cast<std::uint32_t>(x + ahead);
         }
     }
-    /// Heights of a row in steps of 1/64 of a cell; -1 where there is no clearance.
-    [[nodiscard]] const std::vector<std::int32_t>& levels(std::int64_t y) const {
-        return levels_[static_cast<std::size_t>(y) % levels_.size()];
+    /// Heights of a row in steps of 1/64 of a cell, from column 0 on; -1 where there is no
+    /// clearance.
+    [[nodiscard]] const std::int32_t* levels_of(std::int64_t y) const {
+        const bool is_inside = y >= height_.first && y < height_.last;
+        return 1 + (is_inside ? levels_[static_cast<std::size_t>(y) % levels_.size()] : outside_)
+                       .data();
     }
 
 private:
+    /// To a neighbour, which is higher from so many levels more on: of cells of one level the one
+    /// that comes first is the higher.
+    struct Step {
+        std::int32_t dx, dy;
+        float inverse_length;
+        std::int32_t more;
+    };
+    static constexpr float kDiagonal = 0.70710678F;
+    static constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F, 1},
+                                                 {-1, 0, 1.0F, 0},
+                                                 {0, 1, 1.0F, 1},
+                                                 {0, -1, 1.0F, 0},
+                                                 {1, 1, kDiagonal, 1},
+                                                 {-1, 1, kDiagonal, 1},
+                                                 {1, -1, kDiagonal, 0},
+                                                 {-1, -1, kDiagonal, 0}}};
+
     void level(std::int64_t y) {
-        std::vector<std::int32_t>& out = levels_[static_cast<std::size_t>(y) % levels_.size()];
+        std::int32_t* const out = levels_[static_cast<std::size_t>(y) % levels_.size()].data() + 1;
         const float* const height = height_.row(y);
         const float* const clearance =
             clearance_.values.data() + y * static_cast<std::int64_t>(width_);
@@ -144,31 +163,12 @@ private:
         }
     }
 
-    void look(std::int64_t y, const Step& step) {
-        const std::int32_t ahead = step.dy * static_cast<std::int32_t>(width_) + step.dx;
-        const std::size_t begin = step.dx < 0 ? 1 : 0;
-        const std::size_t end = step.dx > 0 ? width_ - 1 : width_;
-        const float* const own = height_.row(y);
-        const float* const next = height_.row(y + step.dy) + step.dx;
-        const std::int32_t* const own_level = levels(y).data();
-        const std::int32_t* const next_level = levels(y + step.dy).data() + step.dx;
-        const std::int32_t more = step.leads_back() ? 0 : 1;
-        for (std::size_t x = begin; x < end; ++x) {
-            const float slope = (next[x] - own[x]) * step.inverse_length;
-            const bool is_higher = next_level[x] >= own_level[x] + more;
-            const bool is_steeper = is_higher & (slope > steepest_[x]);
-            steepest_[x] = is_steeper ? slope : steepest_[x];
-            ahead_[x] = is_steeper ? ahead : ahead_[x];
-        }
-    }
-
     const Raster<float>& clearance_;
     const Rows& height_;
     std::size_t width_;
     float scale_;
     std::array<std::vector<std::int32_t>, 3> levels_;
-    std::vector<float> steepest_;
-    std::vector<std::int32_t> ahead_;
+    std::vector<std::int32_t> outside_;
 };
 
 /// Where nothing goes up.
@@ -196,7 +196,7 @@ std::vector<Peak> find_ways_up(const Raster<float>& clearance, double resolution
         for (std::int64_t y = begin; y < end; ++y) {
             const auto row = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width);
             ascent.find(y, &ways[row]);
-            const std::vector<std::int32_t>& levels = ascent.levels(y);
+            const std::int32_t* const levels = ascent.levels_of(y);
             for (std::uint32_t x = 0; x < width; ++x) {
                 if (levels[x] < 0) {
                     ways[row + x] = kIsLabel;

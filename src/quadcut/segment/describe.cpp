@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
@@ -49,7 +48,8 @@ struct Shape {
 };
 
 std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
-                                  const GridMap& map, const Executor& executor) {
+                                  const GridMap& map, const Layout& layout,
+                                  const Executor& executor) {
     const Raster<float> depth =
         clearance_m(interior_of_regions(labels, executor), map.resolution_m, executor);
     auto shapes = tally_by_label<Shape>(
@@ -62,11 +62,12 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint
             shape.sum_y += length * (first.y + 0.5);
             const float* const depths = &depth.values[run.offset];
             if (largest(depths, run.num_cells, shape.depth_m) <= shape.depth_m) return;
-            const CellState* const states = &map.states.values[map.states.offset(first)];
             for (std::size_t k = 0; k < run.num_cells; ++k) {
-                if (depths[k] <= shape.depth_m || states[k] != CellState::free) continue;
+                if (depths[k] <= shape.depth_m) continue;
+                const Cell cell{first.x + static_cast<std::int32_t>(k), first.y};
+                if (map.states.at(layout.source(cell)) != CellState::free) continue;
                 shape.depth_m = depths[k];
-                shape.deepest = {first.x + static_cast<std::int32_t>(k), first.y};
+                shape.deepest = cell;
             }
         },
         [](Shape& shape, const Shape& other) {
@@ -101,21 +102,24 @@ std::string default_name(RoomKind kind, RoomId id) {
     return word + std::to_string(index(id));
 }
 
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Executor& executor) {
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layout& layout,
+                                      const Executor& executor) {
     struct First {
-        std::size_t row_from_top = static_cast<std::size_t>(-1);
-        std::size_t x = 0;
+        Cell cell;
         std::uint32_t label = 0;
         bool operator<(const First& other) const {
-            return std::tie(row_from_top, x) < std::tie(other.row_from_top, other.x);
+            if ((label == 0) != (other.label == 0)) return label != 0;
+            return std::pair{-cell.y, cell.x} < std::pair{-other.cell.y, other.cell.x};
         }
     };
     std::vector<First> firsts = tally_by_label<First>(
         labels, executor,
         [&](First& first, const LabelRun& run) {
-            const First own{static_cast<std::size_t>(labels.height) - 1 - run.y, run.x,
-                            labels.values[run.offset]};
-            if (own < first) first = own;
+            // Of a run one end or the other comes first, however it is turned.
+            for (const std::size_t end : {run.offset, run.offset + run.num_cells - 1}) {
+                const First own{layout.source(labels.cell(end)), labels.values[end]};
+                if (own < first) first = own;
+            }
         },
         [](First& first, const First& other) {
             if (other < first) first = other;
@@ -131,18 +135,15 @@ std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Execu
 }
 
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
-                                 const GridMap& map, const std::vector<Door>& doors,
-                                 const Executor& executor) {
+                                 const GridMap& map, const Layout& layout,
+                                 const std::vector<Door>& doors, const Executor& executor) {
     std::vector<std::size_t> num_doors(count + 1, 0);
     for (const Door& door : doors) {
         ++num_doors[index(door.a)];
         ++num_doors[index(door.b)];
     }
-    const std::vector<Shape> shapes = measure_shapes(labels, count, map, executor);
-    const auto in_map_frame = [&](double x_cells, double y_cells) {
-        return transform(map.map_from_image,
-                         {x_cells * map.resolution_m, y_cells * map.resolution_m});
-    };
+    const std::vector<Shape> shapes = measure_shapes(labels, count, map, layout, executor);
+    const LaidOutFrame frame{layout, map.resolution_m, map.map_from_image};
     std::vector<Room> rooms;
     rooms.reserve(count);
     for (std::uint32_t id = 1; id <= count; ++id) {
@@ -153,8 +154,8 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
         room.kind = kind_of(shape, room.area_m2, map.resolution_m, num_doors[id]);
         room.name = default_name(room.kind, room.id);
-        room.centroid = in_map_frame(shape.sum_x / num_cells, shape.sum_y / num_cells);
-        room.label_point = in_map_frame(shape.deepest.x + 0.5, shape.deepest.y + 0.5);
+        room.centroid = frame.in_map({shape.sum_x / num_cells, shape.sum_y / num_cells});
+        room.label_point = frame.in_map({shape.deepest.x + 0.5, shape.deepest.y + 0.5});
         rooms.push_back(std::move(room));
     }
     return rooms;

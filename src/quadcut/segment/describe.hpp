@@ -8,14 +8,16 @@
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/layout.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
 namespace quadcut {
 
-/// Renumbers regions 1 .. count in reading order (first cell from the top left), without gaps.
+/// Renumbers regions 1 .. count in the reading order of the map that was laid out (first cell from
+/// the top left), without gaps.
 /// Returns the new count. O(cells).
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels,
+std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layout& layout,
                                       const Executor& executor = {});
 
 /// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
@@ -25,7 +27,7 @@ std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels,
 /// Names are the default ones. O(cells).
 [[nodiscard]] std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels,
                                                std::uint32_t count, const GridMap& map,
-                                               const std::vector<Door>& doors,
+                                               const Layout& layout, const std::vector<Door>& doors,
                                                const Executor& executor = {});
 
 }  // namespace quadcut

@@ -25,7 +25,7 @@ using Contacts = std::map<Pair, std::vector<Contact>>;
 Contacts find_contacts(const Raster<std::uint32_t>& labels, const Executor& executor) {
     Contacts all;
     for (Contacts& part : for_each_contact<Contacts>(
-             labels, executor, [](std::vector<Contact>& contacts, const Contact& contact) {
+             labels, executor, [](std::vector<Contact>&contacts, const Contact&contact) {
                  contacts.push_back(contact);
              })) {
         for (auto& [pair, contacts] : part) {
@@ -81,9 +81,8 @@ Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& 
 
 /// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies
 /// on average there, not on the face that is turned to the opening.
-Point jamb_point(Cell jamb, double resolution_m, const Pose& map_from_image) {
-    return transform(map_from_image,
-                     {(jamb.x + 0.5) * resolution_m, (jamb.y + 0.5) * resolution_m});
+Point jamb_point(Cell jamb, const LaidOutFrame& frame) {
+    return frame.in_map({jamb.x + 0.5, jamb.y + 0.5});
 }
 
 /// Without jambs on both sides the ends of the contact stand for them.
@@ -109,8 +108,8 @@ struct Found {
 };
 
 std::optional<Door> measure_door(const Found& opening, const RegionGraph& regions,
-                                 const Raster<float>& clearance_m, double resolution_m,
-                                 const Pose& map_from_image, NarrowingGauge& gauge) {
+                                 const Raster<float>& clearance_m, const LaidOutFrame& frame,
+                                 NarrowingGauge& gauge) {
     const Saddle saddle = widest_contact(opening.contacts, clearance_m);
     if (saddle.clearance_m <= 0.0F) return std::nullopt;
     const auto [a, b] = opening.pair;
@@ -120,8 +119,8 @@ std::optional<Door> measure_door(const Found& opening, const RegionGraph& region
     Door door;
     door.a = RoomId{a};
     door.b = RoomId{b};
-    door.jamb_1 = jamb_point(jambs[0], resolution_m, map_from_image);
-    door.jamb_2 = jamb_point(jambs[1], resolution_m, map_from_image);
+    door.jamb_1 = jamb_point(jambs[0], frame);
+    door.jamb_2 = jamb_point(jambs[1], frame);
     door.width_m = distance(door.jamb_1, door.jamb_2);
     // The saddle's cell a is in the region with the smaller label.
     const double narrower_m = 2.0 * narrowing.narrower.peak_m.back();
@@ -135,9 +134,8 @@ std::optional<Door> measure_door(const Found& opening, const RegionGraph& region
 }  // namespace
 
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
-                             const Raster<float>& clearance_m, double resolution_m,
-                             const Pose& map_from_image, double min_width_m,
-                             const Executor& executor) {
+                             const Raster<float>& clearance_m, const LaidOutFrame& frame,
+                             double min_width_m, const Executor& executor) {
     std::vector<Found> openings;
     BorderSaddles saddles;
     for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
@@ -146,15 +144,15 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
             openings.push_back({pair, std::move(opening), std::nullopt});
         }
     }
-    const RegionGraph regions(labels, num_regions, saddles, clearance_m, resolution_m, executor);
-    parallel_for(executor, openings.size(), kOpeningsPerChunk,
-                 [&](std::size_t first, std::size_t last) {
-                     NarrowingGauge gauge(clearance_m, resolution_m);
-                     for (std::size_t i = first; i < last; ++i) {
-                         openings[i].door = measure_door(openings[i], regions, clearance_m,
-                                                         resolution_m, map_from_image, gauge);
-                     }
-                 });
+    const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m,
+                              executor);
+    parallel_for(
+        executor, openings.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
+            NarrowingGauge gauge(clearance_m, frame.resolution_m);
+            for (std::size_t i = first; i < last; ++i) {
+                openings[i].door = measure_door(openings[i], regions, clearance_m, frame, gauge);
+            }
+        });
     std::vector<Door> doors;
     for (const Found& opening : openings) {
         if (opening.door && opening.door->width_m >= min_width_m) doors.push_back(*opening.door);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/map/layout.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
@@ -17,8 +18,8 @@ namespace quadcut {
 /// O(cells + 5 m around each opening).
 [[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
                                            std::uint32_t num_regions,
-                                           const Raster<float>& clearance_m, double resolution_m,
-                                           const Pose& map_from_image, double min_width_m,
+                                           const Raster<float>& clearance_m,
+                                           const LaidOutFrame& frame, double min_width_m,
                                            const Executor& executor = {});
 
 }  // namespace quadcut

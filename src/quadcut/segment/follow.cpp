@@ -71,9 +71,7 @@ Box cells_of_tiles(const Box& tiles) {
 
 }  // namespace
 
-std::uint64_t free_rows(const Tile& tile) {
-    return rows_where(tile, [](int log_odds) { return log_odds < 0; });
-}
+std::uint64_t free_rows(const Tile& tile) { return rows_below_zero(tile); }
 
 FollowOptions with_preset(FollowOptions options) {
     if (options.segment.preset == Preset::paper) options.integrate = latest_scan_wins();

@@ -31,8 +31,8 @@ Segmentation Follower::rooms() const {
     Segmentation result;
     result.labels =
         Raster<std::uint16_t>(grid.states.origin, grid.states.width, grid.states.height);
-    Raster<std::uint32_t> labels(grid.states.origin, grid.states.width, grid.states.height);
-    Raster<std::uint8_t> kept(grid.states.origin, grid.states.width, grid.states.height);
+    Raster<std::uint32_t> labels({0, 0}, grid.states.width, grid.states.height);
+    Raster<std::uint8_t> kept({0, 0}, grid.states.width, grid.states.height);
     for (std::size_t i = 0; i < states.values.size(); ++i) {
         const std::uint32_t room = cells_.room(states.cell(i));
         if (room == 0) continue;
@@ -45,12 +45,15 @@ Segmentation Follower::rooms() const {
     const auto count = static_cast<std::uint32_t>(place_of_room.size());
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     const RoomsOptions& rooms = options_.segment.rooms;
-    const Raster<float> clearance = clearance_m(
-        open_space(kept, grid.resolution_m, rooms.max_furniture_m2, rooms.furniture, executor),
-        grid.resolution_m, executor);
-    result.doors = find_doors(labels, count, clearance, grid.resolution_m, grid.map_from_image,
-                              kMinDoorM, executor);
-    result.rooms = describe_rooms(labels, count, grid, result.doors, executor);
+    const Raster<float> clearance =
+        clearance_m(open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2,
+                               rooms.furniture, executor),
+                    grid.resolution_m, executor);
+    const Layout layout = as_it_lies(grid.states.box());
+    result.doors =
+        find_doors(labels, count, clearance, {layout, grid.resolution_m, grid.map_from_image},
+                   kMinDoorM, executor);
+    result.rooms = describe_rooms(labels, count, grid, layout, result.doors, executor);
     for (const auto& [id, place] : place_of_room) {
         Room& room = result.rooms[place - 1];
         room.id = RoomId{id};

@@ -25,7 +25,8 @@ Raster<std::uint8_t> cells_to_cut(const LocalWindow& window, double min_componen
     std::vector<bool> is_kept = parts.on_edge();
     const std::vector<std::size_t> num_cells = parts.num_cells();
     for (std::uint32_t part = 1; part <= parts.count; ++part) {
-        if (static_cast<double>(num_cells[part]) * cell_m2 >= min_component_m2) is_kept[part] = true;
+        if (static_cast<double>(num_cells[part]) * cell_m2 >= min_component_m2)
+            is_kept[part] = true;
     }
     Raster<std::uint8_t> kept(states.origin, states.width, states.height);
     parts.paint(is_kept, kept);
@@ -74,7 +75,7 @@ RoomsCut cut_window(const LocalWindow& window, const SegmentOptions& options,
                     const AskBeyond& ask_beyond, const Executor& executor) {
     Layout layout = window.orientation;
     layout.box = window.states.box();
-    const Raster<std::uint8_t> kept =
+    auto kept =
         laid_out<std::uint8_t>(cells_to_cut(window, options.rooms.min_component_m2), layout, 0);
     Raster<std::uint8_t> free(window.states.origin, window.states.width, window.states.height);
     for (std::size_t i = 0; i < free.values.size(); ++i) {
@@ -88,8 +89,8 @@ RoomsCut cut_window(const LocalWindow& window, const SegmentOptions& options,
         put_back(laid_pieces, layout, pieces);
         add_beyond(window, pieces, ask_beyond, regions);
     };
-    const RoomsCut laid = cut_into_rooms({kept, free_laid, window.resolution_m, beyond}, options,
-                                         clock, executor, report);
+    const RoomsCut laid = cut_into_rooms({std::move(kept), free_laid, window.resolution_m, beyond},
+                                         options, clock, executor, report);
     RoomsCut cut{Raster<std::uint32_t>(layout.box), Raster<std::uint32_t>(layout.box),
                  laid.num_pieces, Raster<float>(layout.box)};
     put_back(laid.rooms, layout, cut.rooms);

@@ -84,7 +84,8 @@ public:
         std::size_t num_noted = 0;
         std::size_t num_idle = 0;
         const auto note_up_to = [&](unsigned length) {
-            for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length; ++num_noted)
+            for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length;
+                 ++num_noted)
                 places_.note(num_noted, along, gauge_.step_m_, walked_.side);
         };
         for (unsigned length = kStart;

@@ -160,21 +160,19 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     return small;
 }
 
-void set_all(Raster<std::uint8_t>& open, const Obstacles& obstacles, std::uint8_t value) {
-    for (const auto& obstacle : obstacles) {
-        for (const std::size_t cell : obstacle) open.values[cell] = value;
-    }
+void set_all(Raster<std::uint8_t>& open, const std::vector<std::size_t>& obstacle,
+             std::uint8_t value) {
+    for (const std::size_t cell : obstacle) open.values[cell] = value;
 }
 
 }  // namespace
 
-Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
+Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
                                 double max_furniture_m2, FurnitureRule rule,
                                 const Executor& executor) {
-    const Obstacles small = small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
+    const Obstacles small =
+        small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
     std::vector<std::uint8_t> is_wall(small.size(), 0);
-    Raster<std::uint8_t> open = kept;
-    set_all(open, small, 1);
     if (rule == FurnitureRule::off_wall) {
         const WallSeeker walls(kept, resolution_m);
         parallel_for(executor, small.size(), kObstaclesPerChunk,
@@ -183,18 +181,19 @@ Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolut
                              is_wall[i] = walls.is_pier(small[i]) ? 1 : 0;
                          }
                      });
-    } else if (rule == FurnitureRule::reach) {
-        const Raster<float> clearance = clearance_m(open, resolution_m, executor);
-        for (std::size_t i = 0; i < small.size(); ++i) {
-            is_wall[i] =
-                std::all_of(small[i].begin(), small[i].end(),
-                            [&](std::size_t cell) { return clearance.values[cell] < kReachM; })
-                    ? 1
-                    : 0;
-        }
     }
+    Raster<std::uint8_t> open = std::move(kept);
     for (std::size_t i = 0; i < small.size(); ++i) {
-        if (is_wall[i] != 0) set_all(open, {small[i]}, 0);
+        if (is_wall[i] == 0) set_all(open, small[i], 1);
+    }
+    if (rule == FurnitureRule::reach) {
+        const Raster<float> clearance = clearance_m(open, resolution_m, executor);
+        for (const std::vector<std::size_t>& obstacle : small) {
+            if (std::all_of(obstacle.begin(), obstacle.end(),
+                            [&](std::size_t cell) { return clearance.values[cell] < kReachM; })) {
+                set_all(open, obstacle, 0);
+            }
+        }
     }
     return open;
 }

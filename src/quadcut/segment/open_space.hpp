@@ -15,7 +15,7 @@ namespace quadcut {
 /// room narrower; what is enclosed by one belongs to it. Obstacles that touch nothing else and
 /// cover less than `max_furniture_m2`, holes included, are furniture if the rule agrees.
 /// `kept`: 1 = a free cell that is part of the result. O(cells).
-[[nodiscard]] Raster<std::uint8_t> open_space(const Raster<std::uint8_t>& kept, double resolution_m,
+[[nodiscard]] Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
                                               double max_furniture_m2,
                                               FurnitureRule rule = FurnitureRule::off_wall,
                                               const Executor& executor = {});

@@ -29,9 +29,7 @@ struct Surroundings {
     [[nodiscard]] bool is_open(Cell cell) const {
         return clearance.contains(cell) && clearance.at(cell) > 0.0F;
     }
-    [[nodiscard]] bool is_open(const Point& at) const {
-        return is_open(cell_of(at));
-    }
+    [[nodiscard]] bool is_open(const Point& at) const { return is_open(cell_of(at)); }
     /// Whether there is free space within 0.4 m of a point, to that side.
     [[nodiscard]] bool is_open_beside(const Point& at, const Direction& side) const {
         for (double t = 1.0; t <= kFaceWithinM / resolution_m; t += 1.0) {

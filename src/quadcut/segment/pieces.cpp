@@ -89,11 +89,12 @@ std::size_t num_edges(const Graph& graph) {
     return num_entries / 2;
 }
 
-Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& clearance,
-                   double resolution_m, const SegmentOptions& options, StageClock& clock,
-                   const Executor& executor, SegmentReport& report) {
+Basins find_pieces(Raster<std::uint8_t> open, const Raster<float>& clearance, double resolution_m,
+                   const SegmentOptions& options, StageClock& clock, const Executor& executor,
+                   SegmentReport& report) {
     if (options.rooms.pieces == PieceSource::basins) {
         clock.begin("cut");
+        open = {};  // The basins are the memory's peak.
         return build_basins(clearance, resolution_m, executor);
     }
     return spectral_pieces(map_of(open, resolution_m), clearance, options, clock, executor, report);

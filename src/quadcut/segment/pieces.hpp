@@ -21,7 +21,7 @@ namespace quadcut {
 /// What is fused into rooms, as options.rooms.pieces has it: the basins of the clearance, or the
 /// spectral over-cut of the quadtree's leaves, whose borders are moved to the basins' unless they
 /// are to stay. Rasters of one rectangle from cell (0, 0) on. What was solved goes to the report.
-[[nodiscard]] Basins find_pieces(const Raster<std::uint8_t>& open, const Raster<float>& clearance_m,
+[[nodiscard]] Basins find_pieces(Raster<std::uint8_t> open, const Raster<float>& clearance_m,
                                  double resolution_m, const SegmentOptions& options,
                                  StageClock& clock, const Executor& executor,
                                  SegmentReport& report);

@@ -49,8 +49,7 @@ BorderSaddles border_saddles(const Raster<std::uint32_t>& pieces, const Raster<f
                              const Executor& executor) {
     const std::vector<BorderSaddles> parts = for_each_contact<BorderSaddles>(
         pieces, executor, [&](Saddle& saddle, const Contact& contact) {
-            const float height =
-                std::min(clearance_m.at(contact.a), clearance_m.at(contact.b));
+            const float height = std::min(clearance_m.at(contact.a), clearance_m.at(contact.b));
             if (saddle.num_contacts == 0 || height > saddle.clearance_m) {
                 saddle = {contact.a, contact.b, height, saddle.num_contacts};
             }
@@ -150,9 +149,8 @@ void RegionGraph::forget_if_met(std::uint32_t own, std::uint32_t other, std::uin
     const auto found = measured_.find(pair_of(own, other));
     if (found == measured_.end()) return;
     std::optional<WalkedSide>& side = found->second.sides[own < other ? 0 : 1];
-    if (side && std::any_of(side->met.begin(), side->met.end(), [&](std::uint32_t region) {
-            return region_[region] == joined;
-        })) {
+    if (side && std::any_of(side->met.begin(), side->met.end(),
+                            [&](std::uint32_t region) { return region_[region] == joined; })) {
         side.reset();
     }
 }

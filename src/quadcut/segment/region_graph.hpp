@@ -39,8 +39,8 @@ public:
                 const Executor& executor = {});
     /// The same, of which the saddles are known.
     RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const BorderSaddles& saddles, const Raster<float>& clearance_m,
-                double resolution_m, const Executor& executor = {});
+                const BorderSaddles& saddles, const Raster<float>& clearance_m, double resolution_m,
+                const Executor& executor = {});
 
     /// The region that a piece has become part of; a region is named by one of its pieces.
     [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }

@@ -185,9 +185,9 @@ Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint
     const double cell_m2 = resolution_m * resolution_m;
     const ConnectedParts parts = connected_parts(
         labels,
-        [&](std::size_t i) {
-            return free.values[i] == 0 ? 0U : labels.values[i] != 0 ? 2U : 1U;
-        },
+        [&](std::size_t i) { return free.values[i] == 0     ? 0U
+                                    : labels.values[i] != 0 ? 2U
+                                                            : 1U; },
         Connectivity::four, executor);
     // What leaves the raster is part of something larger.
     std::vector<bool> is_pocket = parts.on_edge();
@@ -228,8 +228,7 @@ void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_
 Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                        const Pockets& pockets, const Executor& executor) {
     const auto num_cells = tally_by_label<std::size_t>(
-        labels, executor,
-        [](std::size_t& count, const LabelRun& run) { count += run.num_cells; },
+        labels, executor, [](std::size_t& count, const LabelRun& run) { count += run.num_cells; },
         [](std::size_t& count, std::size_t other) { count += other; });
     Adoption adoption;
     for (const std::vector<std::size_t>& pocket : pockets.cells) {

@@ -30,13 +30,14 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
     return result;
 }
 
-Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& cut,
-                                      const RoomsOptions& options, const Executor& executor,
-                                      RegionGraph& regions, Hierarchy* hierarchy) {
+/// `cut.rooms`, which holds the pieces at first, is what `regions` look at all the time: a region
+/// has the number of one of its pieces.
+void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
+                     RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
+    Raster<std::uint32_t>& labels = cut.rooms;
     const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
     Fuser(regions, rule, executor).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
-    Raster<std::uint32_t> labels = cut.pieces;
     relabel(regions, labels, {}, executor);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
@@ -53,33 +54,32 @@ Raster<std::uint32_t> fuse_into_rooms(const FloorToCut& floor, const RoomsCut& c
     }
     Fuser(regions, rule, executor).fuse_below(fuse_threshold(options.granularity));
     relabel(regions, labels, adoption.enclosures, executor);
-    return labels;
 }
 
 }  // namespace
 
-RoomsCut cut_into_rooms(const FloorToCut& floor, const SegmentOptions& options, StageClock& clock,
+RoomsCut cut_into_rooms(FloorToCut floor, const SegmentOptions& options, StageClock& clock,
                         const Executor& executor, SegmentReport& report, Hierarchy* hierarchy) {
     RoomsCut cut;
     clock.begin("clearance");
-    const Raster<std::uint8_t> open =
-        open_space(floor.kept, floor.resolution_m, options.rooms.max_furniture_m2,
+    Raster<std::uint8_t> open =
+        open_space(std::move(floor.kept), floor.resolution_m, options.rooms.max_furniture_m2,
                    options.rooms.furniture, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
-    Basins pieces =
-        find_pieces(open, cut.clearance_m, floor.resolution_m, options, clock, executor, report);
-    cut.pieces = std::move(pieces.labels);
+    Basins pieces = find_pieces(std::move(open), cut.clearance_m, floor.resolution_m, options,
+                                clock, executor, report);
+    cut.rooms = std::move(pieces.labels);
     cut.num_pieces = pieces.count;
+    if (floor.add_beyond) cut.pieces = cut.rooms;
     clock.begin("graph");
-    RegionGraph regions(cut.pieces, cut.num_pieces, cut.clearance_m, floor.resolution_m,
-                        executor);
+    RegionGraph regions(cut.rooms, cut.num_pieces, cut.clearance_m, floor.resolution_m, executor);
     if (options.rooms.pieces == PieceSource::basins) {
         report.num_leaves = cut.num_pieces;
         report.num_edges = regions.num_saddles();
     }
     if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
     clock.begin("fuse");
-    cut.rooms = fuse_into_rooms(floor, cut, options.rooms, executor, regions, hierarchy);
+    fuse_into_rooms(floor, options.rooms, executor, regions, cut, hierarchy);
     return cut;
 }
 

@@ -16,8 +16,8 @@ namespace quadcut {
 
 /// What is cut into rooms; rasters of one rectangle from cell (0, 0) on.
 struct FloorToCut {
-    /// 1 = to be cut.
-    const Raster<std::uint8_t>& kept;
+    /// 1 = to be cut. Used up.
+    Raster<std::uint8_t> kept;
     /// 1 = free in the map.
     const Raster<std::uint8_t>& free;
     double resolution_m = 0.05;
@@ -29,7 +29,7 @@ struct FloorToCut {
 struct RoomsCut {
     /// Regions of any number; 0 = none.
     Raster<std::uint32_t> rooms;
-    /// What they were fused from, 1 .. num_pieces; 0 = none.
+    /// What they were fused from, 1 .. num_pieces; 0 = none. Of a window only.
     Raster<std::uint32_t> pieces;
     std::uint32_t num_pieces = 0;
     Raster<float> clearance_m;
@@ -40,7 +40,7 @@ struct RoomsCut {
 /// granularity, of whose regions all rooms are unions; there, small regions, slivers and pockets
 /// find their room. With `hierarchy`: all levels, too.
 /// O(cells + 5 m around each saddle, as often as what lies there changes).
-[[nodiscard]] RoomsCut cut_into_rooms(const FloorToCut& floor, const SegmentOptions& options,
+[[nodiscard]] RoomsCut cut_into_rooms(FloorToCut floor, const SegmentOptions& options,
                                       StageClock& clock, const Executor& executor,
                                       SegmentReport& report, Hierarchy* hierarchy = nullptr);
 

@@ -24,64 +24,66 @@ namespace {
 
 /// Narrower openings are gaps in the map.
 constexpr double kMinDoorM = 0.3;
-constexpr std::size_t kRowsPerChunk = 64;
 
-/// Numbers, doors and descriptions: what both presets end with.
-void complete(Raster<std::uint32_t> labels, const GridMap& map, const Raster<float>& clearance,
-              StageClock& clock, const Executor& executor, Segmentation& result) {
+/// Numbers, doors and descriptions: what both presets end with. The rasters are laid out.
+void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridMap& map,
+              const Layout& layout, StageClock& clock, const Executor& executor,
+              Segmentation& result) {
     clock.begin("doors");
-    const std::uint32_t count = number_in_reading_order(labels, executor);
+    const std::uint32_t count = number_in_reading_order(labels, layout, executor);
     if (count > kMaxRoomId) {
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
     }
-    result.doors = find_doors(labels, count, clearance, map.resolution_m, map.map_from_image,
-                              kMinDoorM, executor);
-    result.rooms = describe_rooms(labels, count, map, result.doors, executor);
+    result.doors = find_doors(labels, count, clearance,
+                              {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
+    clearance = {};  // Describing needs as much memory.
+    result.rooms = describe_rooms(labels, count, map, layout, result.doors, executor);
     result.next_id = count + 1;
-    result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
-    parallel_for(executor, static_cast<std::size_t>(labels.height), kRowsPerChunk,
-                 [&](std::size_t first, std::size_t last) {
-                     const auto width = static_cast<std::size_t>(labels.width);
-                     for (std::size_t y = first; y < last; ++y) {
-                         const auto row = labels.values.begin() + static_cast<std::ptrdiff_t>(y * width);
-                         const Cell start = labels.cell(y * width);
-                         std::transform(
-                             row, row + labels.width, &result.labels.at(start),
-                             [](std::uint32_t label) { return static_cast<std::uint16_t>(label); });
-                     }
-                 });
+    result.labels = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height);
+    for_each_laid_out(result.labels, layout, executor, [&](std::size_t from, std::size_t to) {
+        result.labels.values[to] = static_cast<std::uint16_t>(labels.values[from]);
+    });
+}
+
+/// What is cut: connected free space, without specks and without the ground outside, laid out so
+/// that the result does not depend on how the map lies.
+struct Floor {
+    Layout layout;
+    Raster<std::uint8_t> kept;
+    Raster<std::uint8_t> free;
+};
+
+Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, double min_component_m2,
+                    const Executor& executor) {
+    Floor floor;
+    const Raster<std::uint8_t> kept = inside(map, trajectory, min_component_m2, executor);
+    floor.layout = standard_layout(kept, executor);
+    floor.kept = laid_out<std::uint8_t>(kept, floor.layout, 0, executor);
+    floor.free = Raster<std::uint8_t>({0, 0}, floor.kept.width, floor.kept.height);
+    for_each_laid_out(map.states, floor.layout, executor, [&](std::size_t to, std::size_t from) {
+        floor.free.values[to] = map.states.values[from] == CellState::free ? 1 : 0;
+    });
+    return floor;
 }
 
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
                            std::span<const Point> trajectory, StageClock& clock,
                            const Executor& executor) {
     Segmentation result;
-    // 1. What is cut: connected free space, without specks and without the ground outside, laid
-    //    out so that the result does not depend on how the map lies.
     clock.begin("inside");
-    const Raster<std::uint8_t> kept_in_map =
-        inside(map, trajectory, options.rooms.min_component_m2, executor);
-    const Layout layout = standard_layout(kept_in_map, executor);
-    const auto kept = laid_out<std::uint8_t>(kept_in_map, layout, 0, executor);
-    // 2. The cut.
-    const auto free = laid_out<std::uint8_t>(mask_of(map, CellState::free), layout, 0, executor);
+    Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
-    const RoomsCut cut = cut_into_rooms({kept, free, map.resolution_m, {}}, options, clock,
-                                        executor, result.report, hierarchy);
-
-    // In the map as it lies, what was cut is all that is looked at from here on.
-    const Box box = layout.box.intersected(map.states.box());
-    Raster<std::uint32_t> labels(box);
-    Raster<float> clearance_in_map(box);
-    put_back(cut.rooms, layout, labels, executor);
-    put_back(cut.clearance_m, layout, clearance_in_map, executor);
+    RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
+                                  options, clock, executor, result.report, hierarchy);
+    floor.free = {};
     if (options.with_hierarchy) {
         Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);
-        put_back(result.hierarchy.finest, layout, finest);
+        put_back(result.hierarchy.finest, floor.layout, finest, executor);
         result.hierarchy.finest = std::move(finest);
     }
-    complete(std::move(labels), map, clearance_in_map, clock, executor, result);
+    complete(std::move(cut.rooms), std::move(cut.clearance_m), map, floor.layout, clock, executor,
+             result);
     return result;
 }
 
@@ -124,9 +126,11 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = num_edges(graph);
     clock.begin("clearance");
-    const Raster<float> clearance =
+    Raster<float> clearance =
         clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);
-    complete(std::move(labels), map, clearance, clock, executor, result);
+    clearance.origin = labels.origin = {0, 0};
+    complete(std::move(labels), std::move(clearance), map, as_it_lies(map.states.box()), clock,
+             executor, result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quadcut/base/random.hpp"
 #include "quadcut/map/morton.hpp"
 
 namespace quadcut {
@@ -28,6 +29,30 @@ TEST(Morton, CodesInterleaveAndComeBack) {
     EXPECT_EQ(morton_code({0, 3}), 0b1010U);
     for (const Cell cell : {Cell{0, 0}, Cell{5, 9}, Cell{(1 << 28) - 1, 12345}, Cell{1, 1 << 29}}) {
         EXPECT_EQ(morton_position(morton_code(cell)), cell);
+    }
+}
+
+TEST(Tile, EightCellsAtATimeAreAsOneByOne) {
+    Random random(5);
+    for (int round = 0; round < 200; ++round) {
+        Tile tile;
+        for (std::int8_t& value : tile.values) {
+            value = static_cast<std::int8_t>(kMinLogOdds + static_cast<int>(random.below(16)));
+        }
+        const std::uint64_t hit = random.bits() & random.bits();
+        const std::uint64_t miss = random.bits();
+        const int if_hit = static_cast<int>(random.below(20));
+        const int if_miss = -static_cast<int>(random.below(20));
+        const int bound = 1 + static_cast<int>(random.below(12));
+        const std::uint64_t below = rows_below_zero(tile);
+        const std::uint64_t at_least = rows_at_least(tile, bound);
+        const Tile sums = bounded_sums(tile, hit, if_hit, miss, if_miss);
+        for (std::size_t i = 0; i < kTileCells; ++i) {
+            ASSERT_EQ(below >> i & 1, tile.values[i] < 0 ? 1U : 0U);
+            ASSERT_EQ(at_least >> i & 1, tile.values[i] >= bound ? 1U : 0U);
+            const int delta = (hit >> i & 1) != 0 ? if_hit : (miss >> i & 1) != 0 ? if_miss : 0;
+            ASSERT_EQ(sums.values[i], bounded_sum(tile.values[i], delta)) << delta;
+        }
     }
 }
 
