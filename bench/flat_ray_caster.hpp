@@ -42,6 +42,11 @@ public:
         }
     }
     [[nodiscard]] std::size_t bytes() const { return cells_.values.size(); }
+    /// Those whose log-odds are not 0. O(cells).
+    [[nodiscard]] std::size_t num_known_cells() const {
+        return cells_.values.size() -
+               static_cast<std::size_t>(std::count(cells_.values.begin(), cells_.values.end(), 0));
+    }
 
 private:
     [[nodiscard]] Cell cell(const Point& at) const {

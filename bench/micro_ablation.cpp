@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // What each ingredient is worth: hand-labelled maps with one thing changed at a time.
-//   micro_ablation [BUILDING] [--simulated N] [-o FILE.csv]
+//   micro_ablation [BUILDING] [--simulated N] [-o FILE.json]
 // tools/train/ablation.py runs it with each building left out of the training of the door model,
 // and makes the table.
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <span>
 #include <string>
@@ -16,6 +15,7 @@
 #include "bench/building_case.hpp"
 #include "bench/cases.hpp"
 #include "bench/data_map.hpp"
+#include "bench/result_file.hpp"
 #include "io/score.hpp"
 #include "quadcut/segment/segment.hpp"
 
@@ -95,25 +95,18 @@ Score try_variant(const Variant& variant, const GridMap& map, std::span<const Po
     return {io::score_rooms(as_label_image(rooms.labels), truth).pq, elapsed.count()};
 }
 
-class Table {
-public:
-    explicit Table(const std::string& path) {
-        if (!path.empty()) csv_.open(path);
-        if (csv_.is_open()) csv_ << "kind,map,ingredient,variant,pq,ms\n";
-    }
-    void add(const std::string& kind, const std::string& map, const Variant& variant,
-             const Score& score) {
-        std::printf("%-10s %-32s %-20s %-36s %5.1f %7.1f ms\n", kind.c_str(), map.c_str(),
-                    variant.ingredient.c_str(), variant.name.c_str(), 100.0 * score.pq,
-                    score.elapsed_ms);
-        if (!csv_.is_open()) return;
-        csv_ << kind << ',' << map << ',' << variant.ingredient << ",\"" << variant.name << "\","
-             << 100.0 * score.pq << ',' << score.elapsed_ms << '\n';
-    }
-
-private:
-    std::ofstream csv_;
-};
+Json row_of(const std::string& kind, const std::string& map, const Variant& variant,
+            const Score& score) {
+    std::printf("%-10s %-32s %-20s %-36s %5.1f %7.1f ms\n", kind.c_str(), map.c_str(),
+                variant.ingredient.c_str(), variant.name.c_str(), 100.0 * score.pq,
+                score.elapsed_ms);
+    return {{"kind", kind},
+            {"input", map},
+            {"ingredient", variant.ingredient},
+            {"variant", variant.name},
+            {"pq", score.pq},
+            {"elapsed_ms", score.elapsed_ms}};
+}
 
 int run(int argc, char** argv) {
     std::string building;
@@ -128,12 +121,13 @@ int run(int argc, char** argv) {
             building = argument;
         }
     }
-    Table table(output_path(argc, argv));
+    Json rows = Json::array();
     const std::vector<Variant> all = variants();
     for (const DataMap& data : read_data_maps(building)) {
         const io::LabelImage truth = as_label_image(as_raster(data.truth));
         for (const Variant& variant : all) {
-            table.add(data.kind, data.name, variant, try_variant(variant, data.map, {}, truth));
+            rows.push_back(
+                row_of(data.kind, data.name, variant, try_variant(variant, data.map, {}, truth)));
         }
     }
     for (std::size_t i = 0; i < num_simulated; ++i) {
@@ -141,10 +135,11 @@ int run(int argc, char** argv) {
         const io::LabelImage truth = as_label_image(mapped.truth);
         const std::string name = "seed " + std::to_string(building_case(i).seed);
         for (const Variant& variant : all) {
-            table.add("simulated", name, variant,
-                      try_variant(variant, mapped.map, mapped.trajectory, truth));
+            rows.push_back(row_of("simulated", name, variant,
+                                  try_variant(variant, mapped.map, mapped.trajectory, truth)));
         }
     }
+    write_results(output_path(argc, argv), "ablation", std::move(rows));
     return 0;
 }
 

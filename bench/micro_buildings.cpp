@@ -2,23 +2,22 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // Rooms, doors, borders and kinds on simulated buildings that the door model has not seen: empty,
 // half furnished and full; straight and turned; mapped perfectly and from the scans of a robot.
-//   micro_buildings [-o FILE.json] [--buildings N] [--case I]
+//   micro_buildings [-o FILE.json] [--buildings N] [--case I] [--details]
+// With --details the file also has each door that was matched, missed or invented.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
 #include "bench/cases.hpp"
 #include "bench/door_score.hpp"
+#include "bench/result_file.hpp"
 
 namespace quadcut {
 namespace {
@@ -244,8 +243,8 @@ void print_worst(const std::vector<CaseResult>& results) {
     print("Worst doors", [](const CaseResult& result) { return all_openings(result).f1(); });
 }
 
-nlohmann::ordered_json errors_of(const std::vector<DoorError>& errors) {
-    auto list = nlohmann::ordered_json::array();
+Json errors_of(const std::vector<DoorError>& errors) {
+    Json list = Json::array();
     for (const DoorError& error : errors) {
         list.push_back({{"cause", error.cause},
                         {"x", error.at.x},
@@ -257,9 +256,28 @@ nlohmann::ordered_json errors_of(const std::vector<DoorError>& errors) {
     return list;
 }
 
-nlohmann::ordered_json row_of(const CaseResult& result) {
-    nlohmann::ordered_json row;
-    row["seed"] = result.chosen.seed;
+Json counts_of(const Rates& rates) {
+    return {{"right", rates.right}, {"missed", rates.missed}, {"extra", rates.extra}};
+}
+
+void add_details(const CaseResult& result, Json& row) {
+    row["matched"] = Json::array();
+    for (const MatchedDoor& door : result.matched) {
+        row["matched"].push_back({{"door", door.truth},
+                                  {"distance_m", door.distance_m},
+                                  {"width_error_m", door.width_error_m},
+                                  {"map_width_error_m", door.map_error_m},
+                                  {"border_over_chord", door.border_ratio},
+                                  {"border_over_width", door.border_over_width},
+                                  {"open_passage", door.is_open_passage}});
+    }
+    row["missed"] = errors_of(result.doors.missed);
+    row["extra"] = errors_of(result.doors.extra);
+}
+
+Json row_of(const CaseResult& result) {
+    Json row;
+    row["input"] = "seed " + std::to_string(result.chosen.seed);
     row["num_rooms"] = result.chosen.num_rooms;
     row["furniture"] = result.chosen.furniture;
     row["turned"] = result.chosen.is_turned;
@@ -274,25 +292,29 @@ nlohmann::ordered_json row_of(const CaseResult& result) {
     row["baseline_pq"] = result.baseline.pq;
     row["kinds"] = result.kinds;
     row["unseen_openings"] = result.doors.num_unseen;
-    row["matched"] = nlohmann::ordered_json::array();
+    row["openings"] = counts_of(all_openings(result));
+    row["doors_proper"] = counts_of(doors_proper(result));
+    std::size_t num_within = 0;
+    double sum = 0.0;
+    double largest = 0.0;
     for (const MatchedDoor& door : result.matched) {
-        row["matched"].push_back({{"door", door.truth},
-                                  {"distance_m", door.distance_m},
-                                  {"width_error_m", door.width_error_m},
-                                  {"map_width_error_m", door.map_error_m},
-                                  {"border_over_chord", door.border_ratio},
-                                  {"border_over_width", door.border_over_width},
-                                  {"open_passage", door.is_open_passage}});
+        num_within += std::abs(door.width_error_m) <= kMaxWidthErrorM ? 1 : 0;
+        sum += door.border_ratio;
+        largest = std::max(largest, door.border_ratio);
     }
-    row["missed"] = errors_of(result.doors.missed);
-    row["extra"] = errors_of(result.doors.extra);
+    row["widths_within_100_mm"] = num_within;
+    row["border_over_chord_sum"] = sum;
+    row["border_over_chord_max"] = largest;
     return row;
 }
 
 int run(int argc, char** argv) {
     std::size_t num_buildings = 200;
     std::size_t first = 0;
-    for (int i = 1; i + 1 < argc; i += 2) {
+    bool has_details = false;
+    for (int i = 1; i < argc; ++i) {
+        if (std::string(argv[i]) == "--details") has_details = true;
+        if (i + 1 == argc) break;
         if (std::string(argv[i]) == "--buildings") num_buildings = std::stoul(argv[i + 1]);
         if (std::string(argv[i]) == "--case") {
             first = std::stoul(argv[i + 1]);
@@ -315,11 +337,12 @@ int run(int argc, char** argv) {
     print_kinds(results);
     print_causes(results);
     print_worst(results);
-    if (const std::string path = output_path(argc, argv); !path.empty()) {
-        auto rows = nlohmann::ordered_json::array();
-        for (const CaseResult& result : results) rows.push_back(row_of(result));
-        std::ofstream(path) << rows.dump(1) << "\n";
+    Json rows = Json::array();
+    for (const CaseResult& result : results) {
+        rows.push_back(row_of(result));
+        if (has_details) add_details(result, rows.back());
     }
+    write_results(output_path(argc, argv), "buildings", std::move(rows));
     return 0;
 }
 

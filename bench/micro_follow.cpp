@@ -6,13 +6,14 @@
 //   micro_follow order [LOG ...]    sparse logs in another order
 //   micro_follow kills [N]          a followed project, killed so often (100)
 //   micro_follow locate             look-ups
-// Without a word: all of it.
+// Without a word: all of it. With -o FILE.json: a file of results, too.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <regex>
 #include <string>
@@ -20,6 +21,7 @@
 
 #include "bench/building_case.hpp"
 #include "bench/follow_log.hpp"
+#include "bench/result_file.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
 #include "quadcut/base/random.hpp"
@@ -93,50 +95,54 @@ void draw(const std::string& name, const FollowedLog& log) {
     write("memory", {name + ": memory", "scan", "bytes a m2", {log.bytes_per_m2}});
 }
 
-void report(const std::string& name, const FollowedLog& log) {
-    const auto line = [](const char* what, const Agreement& agreement) {
-        std::printf("  %s: PQ %.1f, ARI %.3f, %zu rooms (batch %zu)\n", what, agreement.pq,
-                    agreement.ari, agreement.num_rooms, agreement.num_batch_rooms);
-    };
-    std::printf("%s: %zu scans, %.0f m2\n  tenths, PQ:", name.c_str(), log.updates.size(),
-                log.mapped_m2);
-    for (const Agreement& tenth : log.tenths) std::printf(" %.0f", tenth.pq);
-    std::printf("\n");
-    line("after the last scan", log.at_end);
-    line("finished", log.finished);
+Json agreement_of(const Agreement& agreement) {
+    return {{"pq", agreement.pq},
+            {"ari", agreement.ari},
+            {"rooms", agreement.num_rooms},
+            {"batch_rooms", agreement.num_batch_rooms}};
+}
+
+void add_local_graph(const FollowedLog& log, Json& row) {
     const auto nodes = [&](std::size_t i) {
         return static_cast<double>(log.updates[i].graph_nodes);
     };
     const std::vector<double> second = sorted(log, 1, 2, true, nodes);
     const std::vector<double> last = sorted(log, 3, 4, true, nodes);
-    std::printf(
-        "  local graph: largest in the last quarter %.0f = %.0f %% of the batch's %zu nodes; "
-        "99 %% of it %.0f, of the second quarter %.0f: %.2f x\n",
-        quantile(last, 1.0),
-        100.0 * quantile(last, 1.0) / static_cast<double>(log.at_end.batch_nodes),
-        log.at_end.batch_nodes, quantile(last, 0.99), quantile(second, 0.99),
-        quantile(last, 0.99) / std::max(quantile(second, 0.99), 1.0));
-    const double cast_ms = sum(log.ray_caster_ms);
+    row["largest_local_graph"] = quantile(last, 1.0);
+    row["batch_nodes"] = log.at_end.batch_nodes;
+    row["local_graph_p99_second_quarter"] = quantile(second, 0.99);
+    row["local_graph_p99_last_quarter"] = quantile(last, 0.99);
+}
+
+void add_times(const FollowedLog& log, Json& row) {
     const auto ms = [&](std::size_t i) { return log.updates[i].segment_ms; };
-    const auto ratio = [&](int first, int end) {
+    const auto over_cast = [&](int first, int end) {
         // Single scans are too short to be timed well: against the mean of their quarter.
         const std::vector<double> cast =
             sorted(log, first, end, false, [&](std::size_t i) { return log.ray_caster_ms[i]; });
         return quantile(sorted(log, first, end, true, ms), 0.99) /
                (sum(cast) / static_cast<double>(std::max<std::size_t>(1, cast.size())));
     };
-    std::printf(
-        "  cuts: %zu, median %.0f ms, 99 %% %.0f ms; 99 %% over the ray caster's scan, second and "
-        "last quarter: %.0f, %.0f (%.2f x)\n",
-        sorted(log, 0, 4, true, ms).size(), quantile(sorted(log, 0, 4, true, ms), 0.5),
-        quantile(sorted(log, 0, 4, true, ms), 0.99), ratio(1, 2), ratio(3, 4),
-        ratio(3, 4) / ratio(1, 2));
-    const double integrate_ms =
-        sum(sorted(log, 0, 4, false, [&](std::size_t i) { return log.updates[i].integrate_ms; }));
-    std::printf("  integration: %.2f x the ray caster (%.0f ms, %.0f ms)\n", integrate_ms / cast_ms,
-                integrate_ms, cast_ms);
-    std::printf("  followed in %.1f s, %.0f x real time\n", log.follow_s,
-                log.log_s / std::max(log.follow_s, 1e-9));
+    const std::vector<double> cuts = sorted(log, 0, 4, true, ms);
+    row["cuts"] = cuts.size();
+    row["cut_median_ms"] = quantile(cuts, 0.5);
+    row["cut_p99_ms"] = quantile(cuts, 0.99);
+    row["cut_p99_over_ray_caster_second_quarter"] = over_cast(1, 2);
+    row["cut_p99_over_ray_caster_last_quarter"] = over_cast(3, 4);
+    const auto num_scans = static_cast<double>(log.updates.size());
+    row["integrate_ms_a_scan"] =
+        sum(sorted(log, 0, 4, false, [&](std::size_t i) { return log.updates[i].integrate_ms; })) /
+        num_scans;
+    row["ray_caster_ms_a_scan"] = sum(log.ray_caster_ms) / num_scans;
+    row["follow_s"] = log.follow_s;
+    row["times_real_time"] = log.log_s / std::max(log.follow_s, 1e-9);
+    double kd_ms = 0.0;
+    for (const Point& point : log.kd_tree_ms.points) kd_ms += point.y;
+    row["kd_tree_ms_a_scan"] =
+        kd_ms / static_cast<double>(std::max<std::size_t>(1, log.kd_tree_ms.points.size()));
+}
+
+void add_changes(const FollowedLog& log, Json& row) {
     const std::vector<double> ps =
         sorted(log, 0, 4, false, [&](std::size_t i) { return 100.0 * log.updates[i].ps; });
     const std::vector<double> touched = sorted(log, 0, 4, false, [&](std::size_t i) {
@@ -144,40 +150,55 @@ void report(const std::string& name, const FollowedLog& log) {
         return 100.0 * static_cast<double>(update.nodes_touched) /
                ((4.0 * static_cast<double>(update.num_leaves) - 1.0) / 3.0);
     });
-    const auto below = static_cast<double>(
-        std::count_if(ps.begin(), ps.end(), [](double share) { return share <= 25.0; }));
-    double kd_ms = 0.0;
-    for (const Point& point : log.kd_tree_ms.points) kd_ms += point.y;
-    kd_ms /= static_cast<double>(std::max<std::size_t>(1, log.kd_tree_ms.points.size()));
-    const auto num_scans = static_cast<double>(log.updates.size());
-    std::printf(
-        "  ps: median %.0f %%, at most 25 %% in %.0f %% of the scans; nodes touched: median %.1f "
-        "%%; KD-tree built anew: %.2f ms a scan, quadtree %.3f ms\n",
-        quantile(ps, 0.5), 100.0 * below / num_scans, quantile(touched, 0.5), kd_ms,
-        integrate_ms / num_scans);
+    const auto num_below =
+        std::count_if(ps.begin(), ps.end(), [](double share) { return share <= 25.0; });
+    row["ps_median_percent"] = quantile(ps, 0.5);
+    row["ps_at_most_25_percent_of_scans"] =
+        percent(static_cast<std::size_t>(num_below), log.updates.size());
+    row["nodes_touched_median_percent"] = quantile(touched, 0.5);
+    row["id_switches_a_100_scans"] =
+        static_cast<double>(log.num_switches) /
+        static_cast<double>(std::max<std::size_t>(1, log.switches.points.size()));
     const std::vector<double> relabelled =
         sorted(log, 0, 4, true, [&](std::size_t i) { return log.updates[i].relabelled_m2; });
-    std::printf("  id switches in 100 scans: %.2f; relabelled by a cut: median %.2f m2, %.2f %%\n",
-                static_cast<double>(log.num_switches) /
-                    static_cast<double>(std::max<std::size_t>(1, log.switches.points.size())),
-                quantile(relabelled, 0.5), 100.0 * quantile(relabelled, 0.5) / log.mapped_m2);
-    std::printf("  bytes a m2:");
-    for (std::size_t i = 1; i < log.bytes_per_m2.points.size(); i += 4) {
-        std::printf(" %.0f", log.bytes_per_m2.points[i].y);
+    row["relabelled_median_percent"] = 100.0 * quantile(relabelled, 0.5) / log.mapped_m2;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const Point& point : log.bytes_per_m2.points) {
+        least = std::min(least, point.y);
+        most = std::max(most, point.y);
     }
-    std::printf("\n");
-    std::fflush(stdout);
-    draw(name, log);
+    row["bytes_a_m2_least"] = least;
+    row["bytes_a_m2_most"] = most;
 }
 
-void follow_logs(std::vector<std::string> names) {
+Json report(const std::string& name, const FollowedLog& log) {
+    Json row;
+    row["part"] = "log";
+    row["input"] = name;
+    row["scans"] = log.updates.size();
+    row["mapped_m2"] = log.mapped_m2;
+    row["tenths_pq"] = Json::array();
+    for (const Agreement& tenth : log.tenths) row["tenths_pq"].push_back(tenth.pq);
+    row["at_end"] = agreement_of(log.at_end);
+    row["finished"] = agreement_of(log.finished);
+    add_local_graph(log, row);
+    add_times(log, row);
+    add_changes(log, row);
+    std::printf("%s\n", row.dump(2).c_str());
+    std::fflush(stdout);
+    draw(name, log);
+    return row;
+}
+
+void follow_logs(std::vector<std::string> names, Json& rows) {
     if (names.empty()) {
         names = {"intel_dense.log.gz", "mit_csail_dense.log.gz", "aces_dense.log.gz",
                  "mit_killian_dense.log.gz"};
     }
     for (const std::string& name : names) {
         const io::LogFile file = io::read_carmen_log(logs_folder() / name);
-        report(name.substr(0, name.find('.')), follow_log_of(file.scans));
+        rows.push_back(report(name.substr(0, name.find('.')), follow_log_of(file.scans)));
     }
     std::printf("Plots: build/follow\n");
 }
@@ -207,7 +228,7 @@ double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
     return 100.0 * io::score_rooms(as_label_image(a), as_label_image(b)).pq;
 }
 
-void follow_buildings(std::size_t count) {
+void follow_buildings(std::size_t count, Json& rows) {
     // In any order each scan changes rooms somewhere: ten times the work.
     constexpr int kMaxShuffledRooms = 14;
     struct Result {
@@ -252,14 +273,24 @@ void follow_buildings(std::size_t count) {
     std::printf("  scans in another order, %zu of them: PQ mean %.1f, least %.1f\n",
                 shuffled.size(), mean(shuffled), quantile(shuffled, 0.0));
     std::fflush(stdout);
+    rows.push_back({{"part", "buildings"},
+                    {"buildings", count},
+                    {"pq_mean", mean(pq)},
+                    {"pq_least", quantile(pq, 0.0)},
+                    {"ari_mean", mean(ari)},
+                    {"ari_least", quantile(ari, 0.0)},
+                    {"shuffled", shuffled.size()},
+                    {"shuffled_pq_mean", mean(shuffled)},
+                    {"shuffled_pq_least", quantile(shuffled, 0.0)}});
 }
 
-void follow_in_another_order(std::vector<std::string> names) {
+void follow_in_another_order(std::vector<std::string> names, Json& rows) {
     if (names.empty()) names = {"intel.log", "mit_csail.log", "aces.log"};
     for (const std::string& name : names) {
         const io::LogFile file = io::read_carmen_log(logs_folder() / name);
-        std::printf("%s, scans in another order: PQ %.1f\n", name.c_str(),
-                    pq_in_another_order(file.scans, 1));
+        const double pq = pq_in_another_order(file.scans, 1);
+        rows.push_back({{"part", "order"}, {"input", name}, {"pq", pq}});
+        std::printf("%s, scans in another order: PQ %.1f\n", name.c_str(), pq);
         std::fflush(stdout);
     }
 }
@@ -274,7 +305,7 @@ std::map<std::string, std::string> untimed(const std::filesystem::path& folder) 
     return files;
 }
 
-void kill_often(std::size_t count) {
+void kill_often(std::size_t count, Json& rows) {
     const std::filesystem::path folder = output_folder() / "kills";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
@@ -321,9 +352,14 @@ void kill_often(std::size_t count) {
     std::printf("killed %zu times in %zu runs: %zu files damaged, %zu results differ\n", num_kills,
                 num_runs, num_damaged, num_differing);
     std::fflush(stdout);
+    rows.push_back({{"part", "kills"},
+                    {"kills", num_kills},
+                    {"runs", num_runs},
+                    {"damaged", num_damaged},
+                    {"differing", num_differing}});
 }
 
-void locate_often() {
+void locate_often(Json& rows) {
     const sim::Building building = building_of(building_case(6));
     Follower follower;
     follower.update_cells(building.map.states);
@@ -340,19 +376,31 @@ void locate_often() {
     const double ms = ms_since(start);
     std::printf("locate: %.0f ns a point (%zu points, checksum %zu)\n",
                 1e6 * ms / static_cast<double>(kCount), kCount, checksum);
+    rows.push_back({{"part", "locate"}, {"ns_a_point", 1e6 * ms / static_cast<double>(kCount)}});
 }
 
 int run(int argc, char** argv) {
-    const std::string what = argc > 1 ? argv[1] : "";
-    const std::vector<std::string> rest(argv + std::min(argc, 2), argv + argc);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::string output;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] != "-o") continue;
+        output = words[i + 1];
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(i + 2));
+        break;
+    }
+    const std::string what = words.empty() ? "" : words.front();
+    const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
     const auto number = [&](std::size_t otherwise) {
         return rest.empty() ? otherwise : static_cast<std::size_t>(std::atol(rest[0].c_str()));
     };
-    if (what.empty() || what == "locate") locate_often();
-    if (what.empty() || what == "buildings") follow_buildings(number(50));
-    if (what.empty() || what == "order") follow_in_another_order(rest);
-    if (what.empty() || what == "logs") follow_logs(rest);
-    if (what.empty() || what == "kills") kill_often(number(100));
+    Json rows = Json::array();
+    if (what.empty() || what == "locate") locate_often(rows);
+    if (what.empty() || what == "buildings") follow_buildings(number(50), rows);
+    if (what.empty() || what == "order") follow_in_another_order(rest, rows);
+    if (what.empty() || what == "logs") follow_logs(rest, rows);
+    if (what.empty() || what == "kills") kill_often(number(100), rows);
+    write_results(output, "follow", std::move(rows));
     return 0;
 }
 

@@ -14,7 +14,6 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,9 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/dia.hpp"
+#include "bench/result_file.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/graph/border_edges.hpp"
 #include "quadcut/graph/line_of_sight.hpp"
@@ -34,8 +32,6 @@
 
 namespace quadcut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kRounds = 9;
 /// No matrix larger than this is built: bytes are computed, the product is not timed.
@@ -269,7 +265,7 @@ Json measure(const std::string& name, const GridMap& map) {
         if (table.leaves()[i].state == CellState::free) nodes.push_back(LeafId{i});
     }
     Json json;
-    json["map"] = name;
+    json["input"] = name;
     json["width"] = map.states.width;
     json["height"] = map.states.height;
     json["num_leaves"] = table.leaves().size();
@@ -304,7 +300,7 @@ std::vector<std::string> maps_to_measure() {
 }
 
 void print(const Json& json) {
-    std::printf("%s: %zu free of %zu leaves\n", json["map"].get<std::string>().c_str(),
+    std::printf("%s: %zu free of %zu leaves\n", json["input"].get<std::string>().c_str(),
                 json["num_nodes"].get<std::size_t>(), json["num_leaves"].get<std::size_t>());
     if (!json.contains("sight")) return;
     for (const char* kind : {"sight", "border"}) {
@@ -354,7 +350,7 @@ int run(const std::vector<std::string>& arguments) {
         all.push_back(measure(name, io::read_map(path).map));
         print(all.back());
     }
-    if (!output.empty()) std::ofstream(output) << all.dump(2) << '\n';
+    write_results(output, "graph", std::move(all));
     return 0;
 }
 

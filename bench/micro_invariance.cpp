@@ -7,18 +7,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/resampling.hpp"
+#include "bench/result_file.hpp"
 #include "io/score.hpp"
 #include "quadcut/segment/segment.hpp"
 
@@ -156,18 +154,16 @@ int run(int argc, char** argv) {
         return result;
     });
     print_table(results, changes);
-    if (const std::string path = output_path(argc, argv); !path.empty()) {
-        auto rows = nlohmann::ordered_json::array();
-        for (const CaseResult& result : results) {
-            rows.push_back({{"input", result.map},
-                            {"kind", result.kind},
-                            {"change", result.change},
-                            {"pq", result.pq},
-                            {"same_pq", result.same_pq},
-                            {"rooms", result.num_rooms}});
-        }
-        std::ofstream(path) << rows.dump(1) << "\n";
+    Json rows = Json::array();
+    for (const CaseResult& result : results) {
+        rows.push_back({{"input", result.map},
+                        {"kind", result.kind},
+                        {"change", result.change},
+                        {"pq", result.pq},
+                        {"same_pq", result.same_pq},
+                        {"rooms", result.num_rooms}});
     }
+    write_results(output_path(argc, argv), "invariance", std::move(rows));
     return 0;
 }
 

@@ -8,14 +8,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/flat_grid.hpp"
 #include "bench/pointer_quadtree.hpp"
+#include "bench/result_file.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/base/random.hpp"
@@ -231,17 +232,16 @@ void print_bytes_of_rooms(const std::filesystem::path& folder) {
         shares.size(), shares.front(), shares.back(), shares[shares.size() / 2]);
 }
 
-void write_json(const std::string& path, const std::vector<Row>& rows) {
-    std::ofstream file(path);
-    file << "{\"format_version\": 1, \"lookups\": " << kNumLookups << ", \"rows\": [";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row& row = rows[i];
-        file << (i == 0 ? "\n" : ",\n") << R"(  {"world": ")" << row.world << R"(", "structure": ")"
-             << row.structure << R"(", "build_ms": )" << row.build_ms << R"(, "bytes": )"
-             << row.bytes << R"(, "lookups_ms": )" << row.median_ms() << "}";
+Json json_of(const std::vector<Row>& rows) {
+    Json json = Json::array();
+    for (const Row& row : rows) {
+        json.push_back({{"input", row.world},
+                        {"structure", row.structure},
+                        {"build_ms", row.build_ms},
+                        {"bytes", row.bytes},
+                        {"ten_million_lookups_ms", row.median_ms()}});
     }
-    file << "\n]}\n";
-    if (!file.flush()) std::fprintf(stderr, "micro_map: cannot write %s\n", path.c_str());
+    return json;
 }
 
 }  // namespace
@@ -261,8 +261,6 @@ int main(int argc, char** argv) {
         rows.push_back(row);
     }
     quadcut::print_bytes_of_rooms(logs / "../rooms");
-    for (int i = 1; i + 1 < argc; ++i) {
-        if (std::string(argv[i]) == "-o") quadcut::write_json(argv[i + 1], rows);
-    }
+    quadcut::write_results(quadcut::output_path(argc, argv), "map", quadcut::json_of(rows));
     return 0;
 }

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "bench/cases.hpp"
+#include "bench/result_file.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 #include "io/score.hpp"
@@ -37,7 +36,7 @@ const std::vector<Method> kMethods{{"rooms", Preset::rooms, false},
                                    {"paper, told K", Preset::paper, true}};
 
 /// The labels as scores want them: row 0 at the top.
-io::LabelImage as_label_image(const Raster<std::uint16_t>& labels) {
+io::LabelImage image_of(const Raster<std::uint16_t>& labels) {
     std::vector<std::uint32_t> values;
     values.reserve(labels.values.size());
     const auto width = static_cast<std::size_t>(labels.width);
@@ -65,8 +64,8 @@ Run timed_segment(const GridMap& map, const Method& method, std::size_t num_true
     return run;
 }
 
-nlohmann::ordered_json row_of(const std::string& input, const std::string& method, const Run& run) {
-    nlohmann::ordered_json row;
+Json row_of(const std::string& input, const std::string& method, const Run& run) {
+    Json row;
     row["input"] = input;
     row["method"] = method;
     row["rooms"] = run.rooms.rooms.size();
@@ -76,14 +75,14 @@ nlohmann::ordered_json row_of(const std::string& input, const std::string& metho
     return row;
 }
 
-void add_score(nlohmann::ordered_json& row, const io::RoomScore& score) {
+void add_score(Json& row, const io::RoomScore& score) {
     row["pq"] = score.pq;
     row["f1_70"] = score.f1_70;
     row["cover"] = score.cover;
     row["true_rooms"] = score.truth;
 }
 
-void print_row(const nlohmann::ordered_json& row) {
+void print_row(const Json& row) {
     const auto percent = [&](const char* key) {
         return row.contains(key) ? 100.0 * row[key].get<double>() : -1.0;
     };
@@ -94,7 +93,7 @@ void print_row(const nlohmann::ordered_json& row) {
     std::fflush(stdout);
 }
 
-void score_maps(const fs::path& folder, nlohmann::ordered_json& rows) {
+void score_maps(const fs::path& folder, Json& rows) {
     std::vector<fs::path> maps;
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() == ".yaml") maps.push_back(entry.path());
@@ -109,7 +108,7 @@ void score_maps(const fs::path& folder, nlohmann::ordered_json& rows) {
         for (const Method& method : kMethods) {
             const Run run = timed_segment(map, method, truth.num_regions, {});
             auto row = row_of(name, method.name, run);
-            add_score(row, io::score_rooms(as_label_image(run.rooms.labels), truth, free));
+            add_score(row, io::score_rooms(image_of(run.rooms.labels), truth, free));
             print_row(row);
             rows.push_back(std::move(row));
         }
@@ -136,7 +135,7 @@ io::LabelImage resampled(const Segmentation& rooms, const GridMap& map, const io
     return io::number_regions(truth.width, truth.height, values);
 }
 
-void score_logs(const fs::path& folder, nlohmann::ordered_json& rows) {
+void score_logs(const fs::path& folder, Json& rows) {
     std::vector<fs::path> logs;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string extension = entry.path().extension().string();
@@ -168,7 +167,7 @@ void score_logs(const fs::path& folder, nlohmann::ordered_json& rows) {
     }
 }
 
-void segment_other_maps(const fs::path& folder, nlohmann::ordered_json& rows) {
+void segment_other_maps(const fs::path& folder, Json& rows) {
     for (const char* name :
          {"aws_small_house.yaml", "nav2_depot.yaml", "turtlebot3_world.yaml",
           "ubremen_cartesium.yaml", "willow_full_stage.pgm", "stage_hospital.png"}) {
@@ -183,7 +182,7 @@ void segment_other_maps(const fs::path& folder, nlohmann::ordered_json& rows) {
 }
 
 /// Means by method over the maps of one kind: plain, furnished, KTH.
-void print_means(const nlohmann::ordered_json& rows) {
+void print_means(const Json& rows) {
     struct Mean {
         double pq = 0.0;
         double least_cover = 1.0;
@@ -213,14 +212,14 @@ int run(int argc, char** argv) {
         std::cout << "no data in " << data.string() << ": nothing to measure\n";
         return 0;
     }
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    Json rows = Json::array();
     std::printf("| input | method | PQ | F1 0.7 | cover | rooms | true | ms |\n");
     std::printf("|---|---|---|---|---|---|---|---|\n");
     score_maps(data / "rooms", rows);
     score_logs(data / "logs", rows);
     segment_other_maps(data / "maps", rows);
     print_means(rows);
-    if (argc == 3 && std::string(argv[1]) == "-o") std::ofstream(argv[2]) << rows.dump(1) << "\n";
+    write_results(output_path(argc, argv), "quality", std::move(rows));
     return 0;
 }
 

@@ -4,7 +4,7 @@
 //   star    the outline of what was seen, as bits, filled by parity (what the library does)
 //   rays    each beam walked cell by cell
 //   polar   each cell of the bounding box: bearing, beams on both sides, ranges
-//   micro_scan
+//   micro_scan [-o FILE.json]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
+#include "bench/result_file.hpp"
 #include "io/carmen.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/integrate.hpp"
@@ -113,7 +115,8 @@ double median_us_per_scan(std::size_t num_scans, const Work& work) {
 }
 
 template <typename Classify>
-void measure(const char* name, const std::vector<Sight>& sights, const Classify& classify) {
+Json measure(const std::string& input, const char* name, const std::vector<Sight>& sights,
+             const Classify& classify) {
     std::size_t num_cells = 0;
     const double time = median_us_per_scan(sights.size(), [&] {
         num_cells = 0;
@@ -126,23 +129,25 @@ void measure(const char* name, const std::vector<Sight>& sights, const Classify&
             }
         }
     });
-    std::printf("  %-8s %8.1f us a scan %10.0f free cells a scan\n", name, time,
-                static_cast<double>(num_cells) / static_cast<double>(sights.size()));
+    const double cells = static_cast<double>(num_cells) / static_cast<double>(sights.size());
+    std::printf("  %-8s %8.1f us a scan %10.0f free cells a scan\n", name, time, cells);
+    return {{"input", input}, {"method", name}, {"us_a_scan", time}, {"free_cells_a_scan", cells}};
 }
 
-void bench(const std::string& name, const std::vector<Scan>& scans) {
+void bench(const std::string& name, const std::vector<Scan>& scans, Json& rows) {
     std::printf("%s: %zu scans of %zu beams\n", name.c_str(), scans.size(),
                 scans.front().ranges_m.size());
     std::vector<Sight> sights;
     for (const Scan& scan : scans) sights.push_back(sight_of(scan));
-    measure("star", sights, by_star);
-    measure("rays", sights, by_rays);
-    measure("polar", sights, by_polar);
+    rows.push_back(measure(name, "star", sights, by_star));
+    rows.push_back(measure(name, "rays", sights, by_rays));
+    rows.push_back(measure(name, "polar", sights, by_polar));
     const double whole = median_us_per_scan(scans.size(), [&] {
         OccupancyMap map(kResolution);
         for (const Scan& scan : scans) integrate_scan(map, scan);
     });
     std::printf("  %-8s %8.1f us a scan, from the scan to the committed map\n", "whole", whole);
+    rows.push_back({{"input", name}, {"method", "whole"}, {"us_a_scan", whole}});
 }
 
 /// A robot that walks through a hall of about 10 m radius; 270 degrees, 0.25 degrees.
@@ -168,15 +173,17 @@ std::vector<Scan> simulated_scans() {
 }  // namespace
 }  // namespace quadcut
 
-int main() {
+int main(int argc, char** argv) {
+    quadcut::Json rows = quadcut::Json::array();
     const std::filesystem::path logs = std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs";
     for (const char* name : {"intel.log", "mit_csail.log"}) {
         if (std::filesystem::exists(logs / name)) {
-            quadcut::bench(name, quadcut::io::read_carmen_log(logs / name).scans);
+            quadcut::bench(name, quadcut::io::read_carmen_log(logs / name).scans, rows);
         } else {
             std::printf("%s: left out, there is no %s\n", name, (logs / name).c_str());
         }
     }
-    quadcut::bench("simulated hall", quadcut::simulated_scans());
+    quadcut::bench("simulated hall", quadcut::simulated_scans(), rows);
+    quadcut::write_results(quadcut::output_path(argc, argv), "scan", std::move(rows));
     return 0;
 }

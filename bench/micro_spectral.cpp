@@ -13,13 +13,11 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "bench/result_file.hpp"
 #include "bench/spectra_solver.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/base/random.hpp"
@@ -36,8 +34,6 @@
 
 namespace quadcut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kRounds = 5;
 /// Work that takes longer is measured once.
@@ -222,7 +218,7 @@ Json measure_clustering(const Graph& graph, std::size_t count) {
 Json measure(const std::string& name, const GridMap& map) {
     const Graph graph = border_graph(map);
     Json json;
-    json["map"] = name;
+    json["input"] = name;
     json["num_nodes"] = graph.num_nodes();
     json["num_entries"] = graph.columns.size();
     const Laplacian laplacian(graph, LaplacianKind::area);
@@ -285,25 +281,26 @@ int run(const std::vector<std::string>& arguments) {
         }
     }
     if (maps.empty()) maps = maps_to_measure();
-    Json all;
+    Json all = Json::array();
     for (const std::int32_t rooms : {2, 4, 8, 18}) {
         const std::string name = "office of " + std::to_string(rooms * rooms) + " rooms";
-        all["maps"].push_back(measure(name, office(rooms, 10)));
+        all.push_back(measure(name, office(rooms, 10)));
     }
     for (const std::string& path : maps) {
         const std::string name = std::filesystem::path(path).filename().string();
-        all["maps"].push_back(measure(name, io::read_map(path).map));
+        all.push_back(measure(name, io::read_map(path).map));
     }
 #ifdef QUADCUT_HAS_SPECTRA
-    all["eight_disconnected_rooms"] = measure_disconnected();
-    for (const Json& row : all["eight_disconnected_rooms"]) {
+    const Json disconnected = measure_disconnected();
+    all.push_back({{"input", "eight rooms without doors"}, {"eigenpairs", disconnected}});
+    for (const Json& row : disconnected) {
         std::printf("eight rooms, %zu pairs: Spectra %s, %zu zeros of 8; ours %zu\n",
                     row["pairs"].get<std::size_t>(),
                     row["spectra_says_successful"].get<bool>() ? "successful" : "not successful",
                     row["spectra_zeros"].get<std::size_t>(), row["our_zeros"].get<std::size_t>());
     }
 #endif
-    if (!output.empty()) std::ofstream(output) << all.dump(2) << '\n';
+    write_results(output, "spectral", std::move(all));
     return 0;
 }
 

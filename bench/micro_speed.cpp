@@ -4,22 +4,17 @@
 // that OpenCV makes of the same image: most segmenters of maps begin with one.
 //   micro_speed [-o FILE.json]
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include "bench/cases.hpp"
+#include "bench/distance_transform.hpp"
+#include "bench/result_file.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/segment/segment.hpp"
 
@@ -42,24 +37,6 @@ struct Timing {
     [[nodiscard]] double ratio() const { return segment_ms / transform_ms; }
 };
 
-/// Free cells 255, all others 0.
-cv::Mat free_image(const GridMap& map) {
-    cv::Mat image(map.states.height, map.states.width, CV_8UC1);
-    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
-        const Cell cell = map.states.cell(i);
-        image.at<std::uint8_t>(cell.y, cell.x) = map.states.values[i] == CellState::free ? 255 : 0;
-    }
-    return image;
-}
-
-template <typename Work>
-double timed_ms(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
 /// The fastest of each; both take turns, so that what else the machine does meets both.
 Timing time_map(const std::string& name, const GridMap& map) {
     Timing timing;
@@ -70,10 +47,8 @@ Timing time_map(const std::string& name, const GridMap& map) {
     options.num_threads = kNumThreads;
     cv::Mat distances;
     for (int run = 0; run < kRuns; ++run) {
-        timing.transform_ms = std::min(timing.transform_ms, timed_ms([&] {
-                                           cv::distanceTransform(image, distances, cv::DIST_L2,
-                                                                 cv::DIST_MASK_PRECISE);
-                                       }));
+        timing.transform_ms =
+            std::min(timing.transform_ms, distance_transform_ms(image, distances));
         Segmentation rooms;
         const double elapsed_ms = timed_ms([&] { rooms = segment(map, options); });
         if (elapsed_ms >= timing.segment_ms) continue;
@@ -131,19 +106,18 @@ int run(int argc, char** argv) {
     const std::vector<Timing> timings = time_maps(folder);
     if (timings.empty()) return 0;
     print_table(timings);
-    if (const std::string path = output_path(argc, argv); !path.empty()) {
-        auto rows = nlohmann::ordered_json::array();
-        for (const Timing& timing : timings) {
-            nlohmann::ordered_json row;
-            row["input"] = timing.map;
-            row["cells"] = timing.num_cells;
-            row["segment_ms"] = timing.segment_ms;
-            row["distance_transform_ms"] = timing.transform_ms;
-            for (const auto& [stage, ms] : timing.stages_ms) row["stages_ms"][stage] = ms;
-            rows.push_back(std::move(row));
-        }
-        std::ofstream(path) << rows.dump(1) << "\n";
+    Json rows = Json::array();
+    for (const Timing& timing : timings) {
+        Json row;
+        row["input"] = timing.map;
+        row["cells"] = timing.num_cells;
+        row["segment_ms"] = timing.segment_ms;
+        row["distance_transform_ms"] = timing.transform_ms;
+        row["ratio"] = timing.ratio();
+        for (const auto& [stage, ms] : timing.stages_ms) row["stages_ms"][stage] = ms;
+        rows.push_back(std::move(row));
     }
+    write_results(output_path(argc, argv), "speed", std::move(rows));
     return 0;
 }
 

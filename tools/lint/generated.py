@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
-"""Documentation that the program writes is as the program writes it."""
+"""Documentation that the program writes is as the program writes it, tables as docs/results says."""
 
 import subprocess
+import sys
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 # File -> the arguments that print it.
 GENERATED = {"docs/options.md": ["options", "--markdown"]}
@@ -26,3 +30,8 @@ def check(root: Path, program: Path, fix: bool) -> list[str]:
         else:
             problems.append(f"{name}:1: out of date; ./run lint --fix writes it (`{command}`)")
     return problems
+
+
+def check_tables(root: Path, fix: bool) -> list[str]:
+    """The same of the tables that are made from files of results."""
+    return results.check(root, fix)

@@ -63,6 +63,7 @@ def main() -> int:
         report("generated", generated.check(ROOT, program, fix))
     else:
         print("lint generated: skipped, build/release/quadcut is not built")
+    report("tables", generated.check_tables(ROOT, fix))
     start = time.monotonic()
     complaints, num_run = tidy.check(tree, ROOT / "build/lint")
     report("clang-tidy", complaints,

@@ -11,6 +11,7 @@ import equations
 import generated
 import layers
 import names
+import selftest_results
 from source import SourceFile, Tree
 
 SPDX = f"// {names.LICENCE}\n// {names.COPYRIGHT}\n"
@@ -171,7 +172,8 @@ class Generated(unittest.TestCase):
 
 def run() -> list[str]:
     """What fails, one text each."""
-    suite = unittest.defaultTestLoader.loadTestsFromModule(__import__(__name__))
+    load = unittest.defaultTestLoader.loadTestsFromModule
+    suite = unittest.TestSuite([load(__import__(__name__)), load(selftest_results)])
     result = unittest.TestResult()
     suite.run(result)
     return [f"{test}: {trace.strip()}" for test, trace in result.failures + result.errors]

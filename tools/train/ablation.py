@@ -3,14 +3,15 @@
 # SPDX-FileCopyrightText: The quadcut developers
 """What each ingredient is worth: hand-labelled maps with one thing changed at a time.
 
-  ./run bench ablation          or: tools/train/ablation.py [SAMPLES.csv]
+  ./run bench ablation          or: tools/train/ablation.py [SAMPLES.csv] [-o FILE.json]
 
 In-sample with the door model as it is; then each building with a model trained without it, from
 samples of build/release/bench/micro_doors. The ratio of the ratio rule is chosen in the same two
 ways. Prints each map as it is, left out, and the table; keeps all scores in build/ablation.
 """
 
-import csv
+import argparse
+import json
 import signal
 import statistics
 import subprocess
@@ -36,8 +37,7 @@ def build():
 
 
 def scores(path):
-    with open(path) as file:
-        return list(csv.DictReader(file))
+    return json.loads(path.read_text())["rows"]
 
 
 def is_ratio(row):
@@ -45,7 +45,7 @@ def is_ratio(row):
 
 
 def mean(rows):
-    return statistics.mean(float(row["pq"]) for row in rows) if rows else float("nan")
+    return statistics.mean(row["pq"] for row in rows) if rows else float("nan")
 
 
 def with_best_ratio(rows, judges):
@@ -59,12 +59,60 @@ def with_best_ratio(rows, judges):
     return kept
 
 
+def table(in_sample, left_out):
+    """One row an ingredient, the mean PQ of each kind of map; then each map, left out."""
+    def means(rows, kinds, variant):
+        return {kind: round(mean([row for row in rows if row["kind"] == kind
+                                  and row["variant"] == variant]), 6) for kind in kinds}
+
+    def elapsed_ms(variant):
+        return sum(row["elapsed_ms"] for row in in_sample if row["variant"] == variant)
+    names = list(dict.fromkeys((row["ingredient"], row["variant"]) for row in in_sample))
+    rows = [{"ingredient": ingredient, "variant": variant,
+             "in_sample": means(in_sample, KINDS, variant),
+             "left_out": means(left_out, KINDS[:3], variant),
+             "time_over_first": round(elapsed_ms(variant) / elapsed_ms("as it is"), 4)}
+            for ingredient, variant in names]
+    rows += [{"input": row["input"], "left_out_pq": row["pq"]}
+             for row in left_out if row["variant"] == "as it is"]
+    return rows
+
+
+def show(rows):
+    for row in rows:
+        if "left_out_pq" in row:
+            print(f"| {row['input']} | {100 * row['left_out_pq']:.1f} |")
+    print("\n| ingredient | changed | plain | furnished | KTH | simulated | left out: plain "
+          "| furnished | KTH | time |\n|---|---|---|---|---|---|---|---|---|---|")
+    for row in rows:
+        if "variant" in row:
+            cells = [*row["in_sample"].values(), *row["left_out"].values()]
+            print(f"| {row['ingredient']} | {row['variant']} | "
+                  + " | ".join(f"{100 * cell:.1f}" for cell in cells)
+                  + f" | {row['time_over_first']:.2f} |")
+
+
+def write(path, envelope, rows):
+    """As bench/result_file.hpp does."""
+    envelope["rows"] = []
+    head = json.dumps(envelope, indent=1, ensure_ascii=False)
+    lines = ",\n  ".join(json.dumps(row, separators=(",", ":")) for row in rows)
+    new = path.with_name(path.name + ".new")
+    new.write_text(head[:head.rindex("[]")] + "[\n  " + lines + "\n ]\n}\n")
+    new.replace(path)
+
+
 def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("samples", nargs="?", type=Path, default=ROOT / "build/doors.csv")
+    parser.add_argument("-o", dest="output", type=Path)
+    options = parser.parse_args()
     if not MAPS.exists():
         print(f"no data in {MAPS}: nothing to measure")
         return
     OUT.mkdir(parents=True, exist_ok=True)
-    samples = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/doors.csv").resolve()
+    samples = options.samples.resolve()
     if not samples.exists():
         print("collecting decisions: about ten minutes", file=sys.stderr)
         run(BENCH / "micro_doors", "-o", samples, "--buildings", "600")
@@ -80,34 +128,24 @@ def main():
             run("/usr/bin/python3", ROOT / "tools/train/door_model.py", samples, "--leave-out",
                 building)
             build()
-            run(BENCH / "micro_ablation", building, "-o", OUT / f"without_{building}.csv")
+            run(BENCH / "micro_ablation", building, "-o", OUT / f"without_{building}.json")
     finally:
         TREES.write_text(trees)
         build()
-    run(BENCH / "micro_ablation", "--simulated", NUM_SIMULATED, "-o", OUT / "in_sample.csv")
+    run(BENCH / "micro_ablation", "--simulated", NUM_SIMULATED, "-o", OUT / "in_sample.json")
 
-    in_sample = scores(OUT / "in_sample.csv")
+    in_sample = scores(OUT / "in_sample.json")
     hand_made = [row for row in in_sample if row["kind"] != "simulated"]
     left_out = []
     for building in buildings:
-        others = [row for row in hand_made if row["map"].split(".")[0] != building]
-        left_out += with_best_ratio(scores(OUT / f"without_{building}.csv"), others)
+        others = [row for row in hand_made if row["input"].split(".")[0] != building]
+        left_out += with_best_ratio(scores(OUT / f"without_{building}.json"), others)
     in_sample = with_best_ratio(in_sample, hand_made)
 
-    for row in left_out:
-        if row["variant"] == "as it is":
-            print(f"| {row['map']} | {float(row['pq']):.1f} |")
-    print("\n| ingredient | changed | plain | furnished | KTH | simulated | left out: plain "
-          "| furnished | KTH | time |\n|---|---|---|---|---|---|---|---|---|---|")
-    base_ms = sum(float(row["ms"]) for row in in_sample if row["variant"] == "as it is")
-    names = list(dict.fromkeys((row["ingredient"], row["variant"]) for row in in_sample))
-    for ingredient, variant in names:
-        def of(rows, kind):
-            return mean([r for r in rows if r["kind"] == kind and r["variant"] == variant])
-        ms = sum(float(row["ms"]) for row in in_sample if row["variant"] == variant)
-        cells = [of(in_sample, kind) for kind in KINDS] + [of(left_out, k) for k in KINDS[:3]]
-        print(f"| {ingredient} | {variant} | " + " | ".join(f"{cell:.1f}" for cell in cells)
-              + f" | {ms / base_ms:.2f} |")
+    rows = table(in_sample, left_out)
+    show(rows)
+    if options.output:
+        write(options.output, json.loads((OUT / "in_sample.json").read_text()), rows)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "bench/building_case.hpp"
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "sim/building.hpp"
+
+namespace quadcut {
+
+/// About this many rooms are in one building of a campus.
+inline constexpr int kRoomsOfBuilding = 40;
+inline constexpr std::int32_t kStreetCells = 80;
+
+namespace campus {
+
+/// What is unknown around the building becomes open ground; what is unknown in it stays.
+inline void open_ground(Raster<CellState>& states) {
+    std::vector<Cell> open;
+    const auto visit = [&](Cell cell) {
+        if (!states.contains(cell) || states.at(cell) != CellState::unknown) return;
+        states.at(cell) = CellState::free;
+        open.push_back(cell);
+    };
+    const Box box = states.box();
+    for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
+        visit({x, box.low.y});
+        visit({x, box.high.y});
+    }
+    for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
+        visit({box.low.x, y});
+        visit({box.high.x, y});
+    }
+    while (!open.empty()) {
+        const Cell cell = open.back();
+        open.pop_back();
+        visit({cell.x + 1, cell.y});
+        visit({cell.x - 1, cell.y});
+        visit({cell.x, cell.y + 1});
+        visit({cell.x, cell.y - 1});
+    }
+}
+
+/// Buildings one beside the other in rows of about `width`, with streets between.
+inline std::vector<Cell> places(const std::vector<Raster<CellState>>& buildings, std::int32_t width,
+                                Cell& size) {
+    std::vector<Cell> lower_left;
+    Cell at{kStreetCells, kStreetCells};
+    std::int32_t row_height = 0;
+    size = {0, 0};
+    for (const Raster<CellState>& building : buildings) {
+        if (at.x > kStreetCells && at.x + building.width > width) {
+            at = {kStreetCells, at.y + row_height + kStreetCells};
+            row_height = 0;
+        }
+        lower_left.push_back(at);
+        at.x += building.width + kStreetCells;
+        row_height = std::max(row_height, building.height);
+        size = {std::max(size.x, at.x), std::max(size.y, at.y + row_height + kStreetCells)};
+    }
+    return lower_left;
+}
+
+}  // namespace campus
+
+/// Simulated buildings, half furnished, some turned, on open ground: together about `num_rooms`
+/// rooms at 5 cm. The same number gives the same campus.
+inline GridMap campus_of(int num_rooms) {
+    const int count = std::max(1, (num_rooms + kRoomsOfBuilding / 2) / kRoomsOfBuilding);
+    std::vector<Raster<CellState>> buildings(static_cast<std::size_t>(count));
+    double cells = 0.0;
+    parallel_for(Executor{2}, buildings.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            sim::BuildingOptions options;
+            options.seed = kFirstSeed + 1000 + i;
+            options.num_rooms = std::max(3, num_rooms / count);
+            options.yaw_rad = i % 4 == 3 ? 0.3 : 0.0;
+            buildings[i] = sim::generate_building(options).map.states;
+            campus::open_ground(buildings[i]);
+        }
+    });
+    for (const Raster<CellState>& building : buildings) {
+        cells += static_cast<double>(building.width + kStreetCells) *
+                 static_cast<double>(building.height + kStreetCells);
+    }
+    Cell size;
+    const std::vector<Cell> lower_left =
+        campus::places(buildings, static_cast<std::int32_t>(1.1 * std::sqrt(cells)), size);
+    GridMap map{0.05, {}, Raster<CellState>({0, 0}, size.x, size.y, CellState::free)};
+    for (std::size_t i = 0; i < buildings.size(); ++i) {
+        const Raster<CellState>& building = buildings[i];
+        for (std::int32_t y = 0; y < building.height; ++y) {
+            const auto row =
+                building.values.begin() + static_cast<std::ptrdiff_t>(y) * building.width;
+            std::copy(row, row + building.width,
+                      &map.states.at({lower_left[i].x, lower_left[i].y + y}));
+        }
+    }
+    return map;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,383 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The quadcut developers
+"""Tables of README.md and docs/results.md, from the files in docs/results.
+
+  tools/results.py             writes what stands between <!-- bench:NAME --> and <!-- /bench:NAME -->
+  tools/results.py --check     says what is out of date instead
+
+A table whose file is not there stays as it is; so does a column that another file would give.
+"""
+
+import argparse
+import json
+import re
+import statistics
+import sys
+from pathlib import Path
+
+MARK = re.compile(r"(<!-- bench:([\w-]+) -->\n)(.*?)(<!-- /bench:\2 -->)", re.DOTALL)
+PAGES = ("README.md", "docs/results.md")
+KINDS = ("plain", "furnished", "kth")
+DASH = "–"
+
+
+def read_results(root: Path) -> dict[str, dict]:
+    """By the name of the benchmark."""
+    return {path.stem: json.loads(path.read_text(encoding="utf-8"))
+            for path in sorted((root / "docs/results").glob("*.json"))}
+
+
+def table(head: list[str], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines).replace("| --- ", "|---"
+                                                                     ).replace("--- |", "---|")
+
+
+def old_rows(old: str) -> dict[str, list[str]]:
+    """The cells of a table by those of its first column, without bold."""
+    rows = {}
+    for line in old.splitlines():
+        if line.startswith("|") and not line.startswith("|---"):
+            cells = [cell.strip().replace("**", "") for cell in line.strip("|").split("|")]
+            rows[cells[0]] = cells
+    return rows
+
+
+def source(*files: dict) -> str:
+    """Where numbers come from, below their table."""
+    said = []
+    for file in files:
+        machine = file["machine"]
+        said.append(f"`{file['command']}`, commit {file['commit']}, {file['date'][:10]}, "
+                    f"{machine['cpu']}, {machine['cores']} cores")
+    return "\n*" + "; ".join(said) + "*\n"
+
+
+def kind_of(name: str) -> str:
+    return "kth" if name.startswith("kth_") else name.split(".")[-1]
+
+
+def mean_percent(rows: list[dict], key: str, kind: str) -> str:
+    values = [100 * row[key] for row in rows if kind_of(row["input"]) == kind]
+    return f"{statistics.mean(values):.1f}" if values else DASH
+
+
+def scored(file: dict, method: str) -> list[dict]:
+    """The rows of hand-made maps."""
+    return [row for row in file["rows"]
+            if row["method"] == method and "pq" in row and ".log" not in row["input"]]
+
+
+def left_out_means(files: dict) -> list[str] | None:
+    for row in files.get("ablation", {"rows": []})["rows"]:
+        if row.get("variant") == "as it is" and "left_out" in row:
+            return [f"{100 * row['left_out'][kind]:.1f}" for kind in KINDS]
+    return None
+
+
+def quality(files: dict, old: str) -> str | None:
+    if "quality" not in files:
+        return None
+    file = files["quality"]
+    old_left_out = old_rows(old).get(LEFT_OUT, [LEFT_OUT, DASH, DASH, DASH])[1:4]
+
+    def row_of(name: str, method: str, bold: str = "") -> list[str]:
+        rows = scored(file, method)
+        means = [bold + mean_percent(rows, "pq", kind) + bold for kind in KINDS]
+        least = f"{100 * min(row['cover'] for row in rows):.1f}" if bold else ""
+        return [name, *means, least]
+    rows = [row_of("`rooms`", "rooms", "**"),
+            [LEFT_OUT, *(left_out_means(files) or old_left_out), ""],
+            row_of("`paper`, told the true number of rooms", "paper, told K"),
+            row_of("`paper`, number by silhouette", "paper")]
+    f1 = scored(file, "rooms")
+    return (table(["method", "ten maps, plain", "ten maps, furnished", "four KTH floors",
+                   "least cover"], rows)
+            + f"\nF1 at IoU 0.7 of `rooms`: {mean_percent(f1, 'f1_70', 'plain')} plain, "
+              f"{mean_percent(f1, 'f1_70', 'furnished')} furnished.\n" + source(file))
+
+
+LEFT_OUT = "`rooms`, the building left out of the training (`./run bench ablation`)"
+
+
+def readme_quality(files: dict, old: str) -> str | None:
+    """Only the rows of quadcut; those of others are kept."""
+    if "quality" not in files:
+        return None
+    rows = scored(files["quality"], "rooms")
+    ours = [mean_percent(rows, "pq", kind) for kind in KINDS]
+    left_out = left_out_means(files)
+    lines = []
+    for line in old.splitlines(keepends=True):
+        name = line.split("|")[1].strip() if line.startswith("|") else ""
+        if name == "**quadcut**":
+            line = "| **quadcut** | " + " | ".join(f"**{cell}**" for cell in ours) + " |\n"
+        elif name.startswith("quadcut, the door model trained without") and left_out:
+            line = f"| {name} | " + " | ".join(left_out) + " |\n"
+        lines.append(line)
+    return "".join(lines)
+
+
+def each_building(files: dict, old: str) -> str | None:
+    if "quality" not in files:
+        return None
+    in_training = {row["input"]: f"{100 * row['pq']:.1f}" for row in scored(files["quality"], "rooms")}
+    left_out = {row["input"]: f"{100 * row['left_out_pq']:.1f}"
+                for row in files.get("ablation", {"rows": []})["rows"] if "left_out_pq" in row}
+    before = old_rows(old)
+    rows = []
+    for building in sorted({name.split(".")[0] for name in in_training}):
+        cells = [building]
+        for column, kind in ((2, "plain"), (4, "furnished")):
+            name = f"{building}.{kind}"
+            kept = before.get(building, [])[column:column + 1] or [DASH]
+            cells += [in_training.get(name, DASH), left_out.get(name, kept[0])]
+        rows.append(cells)
+    return table(["building", "plain", "left out", "furnished", "left out"], rows)
+
+
+def every_input(files: dict, old: str) -> str | None:
+    del old
+    if "quality" not in files:
+        return None
+    rows = []
+    for row in files["quality"]["rows"]:
+        scores = [f"{100 * row[key]:.1f}" if key in row else DASH for key in ("pq", "f1_70", "cover")]
+        rows.append([row["input"], row["method"], *scores, str(row["rooms"]),
+                     str(row.get("true_rooms", DASH)), f"{row['elapsed_ms']:.0f}"])
+    return table(["input", "method", "PQ", "F1 0.7", "cover", "rooms", "true", "ms"], rows)
+
+
+def f1_of(rows: list[dict], key: str) -> str:
+    right, missed, extra = (sum(row[key][part] for row in rows)
+                            for part in ("right", "missed", "extra"))
+    return f"{200 * right / max(1, 2 * right + missed + extra):.1f}"
+
+
+def buildings(files: dict, old: str) -> str | None:
+    del old
+    if "buildings" not in files:
+        return None
+    every = files["buildings"]["rows"]
+    groups = [("furniture 0", lambda row: row["furniture"] == 0),
+              ("furniture 0.5", lambda row: row["furniture"] == 0.5),
+              ("furniture 1", lambda row: row["furniture"] == 1),
+              ("straight", lambda row: not row["turned"]), ("turned", lambda row: row["turned"]),
+              ("mapped perfectly", lambda row: not row["scanned"]),
+              ("mapped from scans", lambda row: row["scanned"]), ("all", lambda row: True)]
+    lines = []
+    for name, is_of in groups:
+        rows = [row for row in every if is_of(row)]
+        if not rows:
+            continue
+        pq = [100 * row["pq"] for row in rows]
+        matched = sum(row["openings"]["right"] for row in rows)
+        within = 100 * sum(row["widths_within_100_mm"] for row in rows) / max(1, matched)
+        lines.append([name, f"{statistics.mean(pq):.1f}", f"{min(pq):.1f}",
+                      f"{100 * statistics.mean(row['baseline_pq'] for row in rows):.1f}",
+                      f1_of(rows, "openings"), f1_of(rows, "doors_proper"), f"{within:.1f} %"])
+    kinds = [(truth == found, row["kinds"][truth][found])
+             for row in every for truth in range(4) for found in range(4)]
+    num_kinds = sum(count for _, count in kinds)
+    num_right = sum(count for is_right, count in kinds if is_right)
+    num_matched = sum(row["openings"]["right"] for row in every)
+    border = sum(row["border_over_chord_sum"] for row in every) / max(1, num_matched)
+    longest = max(row["border_over_chord_max"] for row in every)
+    shafts = sum(row["in_shafts"] for row in every)
+    without = 100 * statistics.mean(row["pq_without_shafts"] for row in every)
+    return (table(["buildings", "PQ", "least", "watershed", "openings F1", "doors proper F1",
+                   "widths within 0.1 m"], lines)
+            + f"\n{len(every)} buildings. Kinds of matched rooms: "
+              f"{100 * num_right / max(1, num_kinds):.1f} % of {num_kinds:,} are right. Borders over "
+              f"their chords: mean {border:.3f}, longest {longest:.3f}. {shafts} of the rooms are "
+              f"shafts without a door that a perfect map draws free; without them the mean is "
+              f"{without:.1f}.\n" + source(files["buildings"]))
+
+
+def invariance(files: dict, old: str) -> str | None:
+    del old
+    if "invariance" not in files:
+        return None
+    rows = files["invariance"]["rows"]
+
+    def mean(change: str, kind: str) -> float:
+        return statistics.mean(100 * row["pq"] for row in rows
+                               if row["change"] == change and row["kind"] == kind)
+    changes = list(dict.fromkeys(row["change"] for row in rows if row["change"] != "unchanged"))
+    lines = [[change, *(f"{mean(change, kind) - mean('unchanged', kind):+.1f}" for kind in KINDS)]
+             for change in changes]
+    return table(["change", "plain", "furnished", "KTH"], lines) + source(files["invariance"])
+
+
+def ablation(files: dict, old: str) -> str | None:
+    del old
+    if "ablation" not in files:
+        return None
+    lines = []
+    for row in files["ablation"]["rows"]:
+        if "variant" not in row:
+            continue
+        bold = "**" if row["variant"] == "as it is" else ""
+        cells = [f"{100 * row['in_sample'][kind]:.1f}" for kind in (*KINDS, "simulated")]
+        cells += [f"{100 * row['left_out'][kind]:.1f}" for kind in KINDS]
+        lines.append([row["ingredient"], bold + row["variant"] + bold, *cells,
+                      f"{row['time_over_first']:.2f}"])
+    return (table(["ingredient", "changed", "plain", "furnished", "KTH", "simulated",
+                   "left out: plain", "furnished", "KTH", "time"], lines)
+            + source(files["ablation"]))
+
+
+def speed(files: dict, old: str) -> str | None:
+    del old
+    if "speed" not in files:
+        return None
+    rows = files["speed"]["rows"]
+    lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{row['segment_ms']:.1f}",
+              f"{row['distance_transform_ms']:.1f}", f"{row['ratio']:.1f}"] for row in rows]
+    ratios = [row["ratio"] for row in rows]
+    stages = {}
+    for row in rows:
+        for stage, ms in row["stages_ms"].items():
+            stages[stage] = stages.get(stage, 0.0) + ms
+    shares = ", ".join(f"{stage} {100 * ms / sum(stages.values()):.0f} %"
+                       for stage, ms in sorted(stages.items(), key=lambda item: -item[1]))
+    return (table(["map", "megacells", "`segment()` ms", "distance transform ms", "ratio"], lines)
+            + f"\nMedian {statistics.median(ratios):.1f}, worst {max(ratios):.1f}. Of the time: {shares}.\n"
+            + source(files["speed"]))
+
+
+def scale(files: dict, old: str) -> str | None:
+    del old
+    if "scale" not in files:
+        return None
+    rows = [row for row in files["scale"]["rows"] if "kind" in row]
+    shown = [row for row in rows if row["kind"] != "data" or row["cells"] > 2e6]
+    lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{1e-6 * row['free_cells']:.2f}",
+              str(row["rooms"]), f"{row['segment_ms']:.0f}", f"{row['segment_cpu_ms']:.0f}",
+              f"{row['distance_transform_ms']:.0f}", f"{row['ratio']:.1f}",
+              f"{row['peak_mib']:.0f}"] for row in shown]
+    fits = [[row["fit"], f"{row['exponent']:.3f}", str(row["maps"]), f"{row['largest_deviation']:.2f}"]
+            for row in files["scale"]["rows"] if "fit" in row]
+    return (table(["map", "megacells", "free", "rooms", "`segment()` ms", "of CPU, all threads",
+                   "distance transform ms", "ratio", "peak MiB"], lines) + "\n"
+            + table(["from 10^6 cells on", "exponent", "maps", "within a factor"], fits)
+            + source(files["scale"]))
+
+
+def stages(files: dict, old: str) -> str | None:
+    del old
+    if "stages" not in files:
+        return None
+    lines = [[row["method"], row["fit"], f"{row['exponent_over_cells']:.2f}",
+              f"{row['exponent_over_free_cells']:.2f}", f"{row['largest_deviation']:.2f}"]
+             for row in files["stages"]["rows"] if "fit" in row]
+    return (table(["method", "stage", "exponent over cells", "over free cells", "within a factor"],
+                  lines) + source(files["stages"]))
+
+
+def updates(files: dict, old: str) -> str | None:
+    del old
+    if "updates" not in files:
+        return None
+    lines = [[row["input"], row["map"], f"{row['ms_a_scan']:.3f}", f"{row['over_flat_grid']:.2f}",
+              f"{row['over_quadcut']:.2f}", f"{row['known_m2']:,.0f}", f"{row['bytes_a_known_m2']:,.0f}"]
+             for row in files["updates"]["rows"]]
+    return (table(["log", "map", "ms a scan", "over flat grid", "over quadcut", "known m²",
+                   "bytes a known m²"], lines) + source(files["updates"]))
+
+
+def bold_if(is_short: bool, text: str) -> str:
+    return f"**{text}**" if is_short else text
+
+
+def follow(files: dict, old: str) -> str | None:
+    del old
+    logs = [row for row in files.get("follow", {"rows": []})["rows"] if row["part"] == "log"]
+    if not logs:
+        return None
+    makers = [
+        ("scans, known area", lambda r: f"{r['scans']:,}, {r['mapped_m2']:,.0f} m²"),
+        ("after the last scan", lambda r: bold_if(r["at_end"]["pq"] < 96, f"{r['at_end']['pq']:.1f}")
+         + ", " + bold_if(r["at_end"]["ari"] < 0.97, f"{r['at_end']['ari']:.3f}")),
+        ("at the tenths, PQ", lambda r: bold_if(
+            min(r["tenths_pq"]) < 90, f"{min(r['tenths_pq']):.0f}") + f" to {max(r['tenths_pq']):.0f}"),
+        ("ids that change, per 100 scans", lambda r: f"{r['id_switches_a_100_scans']:.2f}"),
+        ("relabelled by a cut, median, of the known area", lambda r: bold_if(
+            r["relabelled_median_percent"] > 0.5, f"{r['relabelled_median_percent']:.2f} %")),
+        ("cuts; median, 99 %",
+         lambda r: f"{r['cuts']:,}; {r['cut_median_ms']:.0f}, {r['cut_p99_ms']:.0f} ms"),
+        ("largest local graph in the last quarter, of the batch's nodes", lambda r: bold_if(
+            r["largest_local_graph"] > r["batch_nodes"] / 4 and r["mapped_m2"] > 2000,
+            f"{100 * r['largest_local_graph'] / r['batch_nodes']:.0f} %")),
+        ("its 99 % in the last quarter over the second",
+         lambda r: f"{r['local_graph_p99_last_quarter'] / r['local_graph_p99_second_quarter']:.2f}"),
+        ("99 % of the cuts' times over the ray caster's, last quarter over second",
+         lambda r: f"{r['cut_p99_over_ray_caster_last_quarter'] / r['cut_p99_over_ray_caster_second_quarter']:.2f}"),
+        ("integration over a flat-grid ray caster",
+         lambda r: f"{r['integrate_ms_a_scan'] / r['ray_caster_ms_a_scan']:.1f}"),
+        ("followed at", lambda r: f"{r['times_real_time']:.0f} x real time"),
+        ("ps, median; at most 25 % in", lambda r: f"{r['ps_median_percent']:.0f} %; "
+                                                  f"{r['ps_at_most_25_percent_of_scans']:.0f} % of the scans"),
+        ("nodes touched, median", lambda r: f"{r['nodes_touched_median_percent']:.1f} %"),
+        ("a scan into the quadtree; KD-tree of the obstacles built anew",
+         lambda r: f"{r['integrate_ms_a_scan']:.2f}; {r['kd_tree_ms_a_scan']:.1f} ms"),
+        ("bytes per known m² over the log",
+         lambda r: f"{r['bytes_a_m2_least']:,.0f} to {r['bytes_a_m2_most']:,.0f}")]
+    lines = [[name, *(cell_of(row) for row in logs)] for name, cell_of in makers]
+    return table(["", *(row["input"] for row in logs)], lines) + source(files["follow"])
+
+
+MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
+          "every-input": every_input, "buildings": buildings, "invariance": invariance,
+          "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
+          "updates": updates, "follow": follow}
+
+
+def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:
+    """The page with all its tables as the files say; line and name of each that was not."""
+    changed = []
+
+    def replace(match: re.Match) -> str:
+        head, name, old, tail = match.groups()
+        if name not in MAKERS:
+            raise ValueError(f"no table is called '{name}'; there are: {', '.join(MAKERS)}")
+        new = MAKERS[name](files, old)
+        if new is None or new == old:
+            return match.group(0)
+        changed.append((text.count("\n", 0, match.start()) + 1, name))
+        return head + new + tail
+    return MARK.sub(replace, text), changed
+
+
+def check(root: Path, fix: bool) -> list[str]:
+    """What is out of date; with `fix`, writes it anew instead."""
+    problems = []
+    files = read_results(root)
+    for name in PAGES:
+        path = root / name
+        if not path.is_file():
+            continue
+        text = path.read_text(encoding="utf-8")
+        new, changed = renewed(text, files)
+        if fix and changed:
+            path.write_text(new, encoding="utf-8")
+        elif changed:
+            problems += [f"{name}:{line}: table '{table_name}' is not what docs/results says; "
+                         "./run lint --fix writes it" for line, table_name in changed]
+    return problems
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="say what is out of date, write nothing")
+    fix = not parser.parse_args().check
+    problems = check(Path(__file__).resolve().parents[1], fix)
+    for problem in problems:
+        print(problem)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
