@@ -27,6 +27,7 @@
 
 #include "backends/opencl/accelerator.hpp"
 #include "backends/roofline.hpp"
+#include "bench/result_file.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/graph/visibility.hpp"
 #include "quadcut/segment/free_leaves.hpp"
@@ -35,8 +36,6 @@
 
 namespace quadcut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kRounds = 25;
 constexpr std::size_t kVectors = 30;
@@ -271,7 +270,11 @@ int run(const std::vector<std::string>& arguments) {
                     name, pays_from);
         all["pays_from_nodes"][name] = pays_from;
     }
-    if (!output.empty()) std::ofstream(output) << all.dump(2) << '\n';
+    Json rows = all["maps"];
+    rows.push_back({{"map", "start"},
+                    {"start_ms", all["start_ms"]},
+                    {"pays_from_nodes", all["pays_from_nodes"]}});
+    write_results(output, "opencl", std::move(rows));
     return 0;
 }
 

@@ -24,6 +24,7 @@
 #include <unistd.h>
 
 #include "bench/cases.hpp"
+#include "bench/result_file.hpp"
 
 namespace quadcut {
 namespace {
@@ -171,23 +172,24 @@ void print_table(const std::vector<Overhead>& overheads, const StartUp& start) {
 
 void write_json(const fs::path& path, const std::vector<Overhead>& overheads,
                 const StartUp& start) {
-    nlohmann::ordered_json json;
-    json["maps"] = nlohmann::ordered_json::array();
+    Json rows = Json::array();
     for (const Overhead& overhead : overheads) {
-        json["maps"].push_back({{"input", overhead.map},
-                                {"cells", overhead.num_cells},
-                                {"processing_ms", overhead.processing_ms},
-                                {"read_ms", overhead.read_ms},
-                                {"write_ms", overhead.write_ms},
-                                {"wall_ms", overhead.wall_ms},
-                                {"ratio", overhead.ratio()},
-                                {"median_ratio", overhead.median_ratio},
-                                {"peak_bytes", overhead.peak_bytes},
-                                {"bytes_per_cell", overhead.bytes_per_cell()}});
+        rows.push_back({{"input", overhead.map},
+                        {"cells", overhead.num_cells},
+                        {"processing_ms", overhead.processing_ms},
+                        {"read_ms", overhead.read_ms},
+                        {"write_ms", overhead.write_ms},
+                        {"wall_ms", overhead.wall_ms},
+                        {"ratio", overhead.ratio()},
+                        {"median_ratio", overhead.median_ratio},
+                        {"peak_bytes", overhead.peak_bytes},
+                        {"bytes_per_cell", overhead.bytes_per_cell()}});
     }
-    json["start"] = {
-        {"version_ms", start.version_ms}, {"true_ms", start.true_ms}, {"ratio", start.ratio()}};
-    std::ofstream(path) << json.dump(1) << "\n";
+    rows.push_back({{"input", "version"},
+                    {"version_ms", start.version_ms},
+                    {"true_ms", start.true_ms},
+                    {"ratio", start.ratio()}});
+    write_results(path, "overhead", std::move(rows));
 }
 
 int run(int argc, char** argv) {

@@ -27,13 +27,12 @@
 #include "bench/peers/eigen_peers.hpp"
 #include "bench/peers/metis_cut.hpp"
 #include "bench/peers/plan_graph.hpp"
+#include "bench/result_file.hpp"
 #include "io/file.hpp"
 #include "quadcut/spectral/multilevel.hpp"
 
 namespace quadcut::peers {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kNumPairs = 16;
 constexpr std::size_t kNumParts = 256;
@@ -179,7 +178,8 @@ Json compare_product(const Graph& graph) {
         std::printf("| %d | %.1f | %.1f | %.2f | %.1f | %.0f %% | %.0f %% |\n", num_threads,
                     1e-9 * bandwidth.read, 1e-9 * bandwidth.triad, product.ms, 1e-9 * rate,
                     100.0 * rate / bandwidth.read, 100.0 * rate / bandwidth.triad);
-        json.push_back({{"threads", num_threads},
+        json.push_back({{"solver", "product, " + std::to_string(num_threads) + " threads"},
+                        {"threads", num_threads},
                         {"read_bytes_per_s", bandwidth.read},
                         {"triad_bytes_per_s", bandwidth.triad},
                         {"product_ms", product.ms},
@@ -226,11 +226,16 @@ int run(const Arguments& arguments) {
         json["cut"] = compare_cuts(graph);
         if (size.num_nodes >= 1000000) json["product"] = compare_product(graph);
         json["eigenpairs"] = compare_eigenpairs(graph, arguments.limit_s);
-        all.push_back(json);
+        for (const auto& [kind, rows] : json.items()) {
+            if (!rows.is_array()) continue;
+            for (const Json& row : rows) {
+                Json whole{{"graph", name + " nodes"}, {"measured", kind}};
+                whole.update(row);
+                all.push_back(std::move(whole));
+            }
+        }
     }
-    if (!arguments.output.empty()) {
-        io::write_file_atomically(arguments.output, all.dump(2) + "\n");
-    }
+    write_results(arguments.output, "peers", std::move(all));
     return 0;
 }
 

@@ -166,7 +166,7 @@ Segmentation as_segmentation(const Raster<std::uint32_t>& labels, const GridMap&
         result.labels.values[i] = static_cast<std::uint16_t>(labels.values[i]);
         count = std::max(count, labels.values[i]);
     }
-    result.rooms = describe_rooms(labels, count, map, {});
+    result.rooms = describe_rooms(labels, count, map, Layout{}, {});
     return as_submaps(std::move(result));
 }
 
