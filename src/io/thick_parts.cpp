@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace quadcut::io {
@@ -117,17 +118,19 @@ Raster<std::uint8_t> widened(const Raster<std::uint8_t>& mask, std::int32_t marg
     return wide;
 }
 
-/// The part of `wide` that begins `shift` cells above and to the right of its first cell.
-Raster<std::uint8_t> cropped(const Raster<std::uint8_t>& wide, std::int32_t width,
-                             std::int32_t height, std::int32_t shift) {
-    Raster<std::uint8_t> result(wide.origin, width, height);
+/// The part of `wide` that begins `shift` cells above and to the right of its first cell, in place.
+Raster<std::uint8_t> cropped(Raster<std::uint8_t> wide, std::int32_t width, std::int32_t height,
+                             std::int32_t shift) {
+    auto to = wide.values.begin();
     for (std::int32_t y = 0; y < height; ++y) {
         const Cell from{wide.origin.x + shift, wide.origin.y + y + shift};
-        const Cell to{wide.origin.x, wide.origin.y + y};
-        std::copy_n(wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(from)), width,
-                    result.values.begin() + static_cast<std::ptrdiff_t>(result.offset(to)));
+        const auto first = wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(from));
+        to = std::copy(first, first + width, to);
     }
-    return result;
+    wide.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    wide.width = width;
+    wide.height = height;
+    return wide;
 }
 
 }  // namespace
@@ -138,7 +141,7 @@ Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask, std::int
     Raster<std::uint8_t> wide = widened(mask, side);
     keep_square_ends(wide, side, executor);
     fill_squares(wide, side, executor);
-    return cropped(wide, mask.width, mask.height, 0);
+    return cropped(std::move(wide), mask.width, mask.height, 0);
 }
 
 Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int32_t margin_cells,
@@ -146,7 +149,7 @@ Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int3
     const std::int32_t margin = std::max(margin_cells, 0);
     Raster<std::uint8_t> wide = widened(mask, margin);
     keep_square_ends(wide, 2 * margin + 1, executor);
-    return cropped(wide, mask.width, mask.height, margin);
+    return cropped(std::move(wide), mask.width, mask.height, margin);
 }
 
 }  // namespace quadcut::io
