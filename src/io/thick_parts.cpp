@@ -121,11 +121,11 @@ Raster<std::uint8_t> widened(const Raster<std::uint8_t>& mask, std::int32_t marg
 /// The part of `wide` that begins `shift` cells above and to the right of its first cell, in place.
 Raster<std::uint8_t> cropped(Raster<std::uint8_t> wide, std::int32_t width, std::int32_t height,
                              std::int32_t shift) {
-    auto to = wide.values.begin();
     for (std::int32_t y = 0; y < height; ++y) {
         const Cell from{wide.origin.x + shift, wide.origin.y + y + shift};
-        const auto first = wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(from));
-        to = std::copy(first, first + width, to);
+        const std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+        std::memmove(&wide.values[to], &wide.values[wide.offset(from)],
+                     static_cast<std::size_t>(width));
     }
     wide.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     wide.width = width;
