@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/part_tallies.hpp"
 #include "io/thick_parts.hpp"
 #include "quadcut/map/connected_parts.hpp"
 
@@ -22,7 +23,7 @@ constexpr double kMaxFurnitureMetres = 4.0;
 constexpr double kMaxWallMetres = 0.5;
 /// How far labels may reach into a wall, or across its near face.
 constexpr double kRimMetres = 0.15;
-/// Bounds memory, whatever the resolution says.
+/// CellBounds memory, whatever the resolution says.
 constexpr std::int32_t kMaxWallCells = 256;
 
 /// How many cells fit into a length.
@@ -32,22 +33,10 @@ std::int32_t to_cells(double metres, double resolution_m) {
     return static_cast<std::int32_t>(std::min(metres / resolution_m + kRounding, kMost));
 }
 
-/// A rectangle of cells as it grows; empty at first.
-struct Bounds {
-    Cell low{INT32_MAX, INT32_MAX};
-    Cell high{INT32_MIN, INT32_MIN};
-
-    void add(std::int32_t x, std::int32_t y) {
-        low = {std::min(low.x, x), std::min(low.y, y)};
-        high = {std::max(high.x, x), std::max(high.y, y)};
-    }
-    [[nodiscard]] bool empty() const { return high.x < low.x; }
-};
-
 /// The cells for which `wanted(offset)` holds.
 template <typename Wanted>
-Bounds bounds_of(const Raster<CellState>& states, const Wanted& wanted) {
-    Bounds bounds;
+CellBounds bounds_where(const Raster<CellState>& states, const Wanted& wanted) {
+    CellBounds bounds;
     for (std::int32_t y = 0; y < states.height; ++y) {
         const std::size_t row =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(states.width);
@@ -64,12 +53,12 @@ Bounds bounds_of(const Raster<CellState>& states, const Wanted& wanted) {
 }
 
 /// The part of the map to draw, as places within its raster.
-Bounds find_frame(const GridMap& map, const Raster<std::uint16_t>& labels) {
+CellBounds find_frame(const GridMap& map, const Raster<std::uint16_t>& labels) {
     const Raster<CellState>& states = map.states;
-    Bounds frame = bounds_of(states, [&](std::size_t i) { return labels.values[i] != 0; });
+    CellBounds frame = bounds_where(states, [&](std::size_t i) { return labels.values[i] != 0; });
     if (frame.empty()) {
-        frame = bounds_of(states,
-                          [&](std::size_t i) { return states.values[i] != CellState::unknown; });
+        frame = bounds_where(states,
+                             [&](std::size_t i) { return states.values[i] != CellState::unknown; });
     }
     if (frame.empty()) return {{0, 0}, {states.width - 1, states.height - 1}};
     const std::int32_t margin = to_cells(kMarginMetres, map.resolution_m);
@@ -94,7 +83,7 @@ void for_cells(const Executor& executor, std::size_t num_cells,
 
 FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels,
                     const Executor& executor) {
-    const Bounds frame = find_frame(map, labels);
+    const CellBounds frame = find_frame(map, labels);
     const std::int32_t width = frame.high.x - frame.low.x + 1;
     const std::int32_t height = frame.high.y - frame.low.y + 1;
     const Cell origin{map.states.origin.x + frame.low.x, map.states.origin.y + frame.low.y};
@@ -125,8 +114,6 @@ FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels,
     });
     return cells;
 }
-
-bool is_room(std::uint16_t ground) { return ground > 0 && ground < kFirstNonRoom; }
 
 /// 1 for each cell of this value.
 Raster<std::uint8_t> mask_of(const Raster<std::uint16_t>& ground, std::uint16_t value,
@@ -214,24 +201,13 @@ void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells, const Execu
     if (any) take_cut_off_parts(cells.ground, inner, executor);
 }
 
-/// The bounds of each part, as columns and rows of the raster; nothing at 0.
-std::vector<Bounds> bounds_of(const ConnectedParts& parts) {
-    std::vector<Bounds> bounds(parts.count + std::size_t{1});
-    parts.for_each_run([&](const CellRun& run, std::size_t first) {
-        const auto y = static_cast<std::int32_t>(first / static_cast<std::size_t>(parts.width));
-        bounds[run.part].add(static_cast<std::int32_t>(run.begin), y);
-        bounds[run.part].add(static_cast<std::int32_t>(run.end) - 1, y);
-    });
-    return bounds;
-}
-
 /// Whether a region of the raster ends where the raster does: then more of it may be outside.
-bool meets_frame(const Bounds& bounds, const Raster<std::uint16_t>& ground) {
+bool meets_frame(const CellBounds& bounds, const Raster<std::uint16_t>& ground) {
     return bounds.low.x == 0 || bounds.low.y == 0 || bounds.high.x == ground.width - 1 ||
            bounds.high.y == ground.height - 1;
 }
 
-bool is_shorter(const Bounds& bounds, std::int32_t max_side_cells) {
+bool is_shorter(const CellBounds& bounds, std::int32_t max_side_cells) {
     return bounds.high.x - bounds.low.x < max_side_cells &&
            bounds.high.y - bounds.low.y < max_side_cells;
 }
@@ -243,7 +219,7 @@ void find_furniture(FloorCells& cells, std::int32_t max_side_cells, const Execut
     const ConnectedParts patches = connected_parts(
         ground, [&](std::size_t i) { return is_room(ground.values[i]) ? 0 : 1; },
         Connectivity::eight, executor);
-    const std::vector<Bounds> bounds = bounds_of(patches);
+    const std::vector<CellBounds> bounds = bounds_of(patches);
     // Of each patch the room around it; 0 as long as none was met.
     std::vector<std::uint16_t> room_around(patches.count + std::size_t{1});
     std::vector<bool> is_enclosed(patches.count + std::size_t{1});
@@ -278,56 +254,13 @@ void find_furniture(FloorCells& cells, std::int32_t max_side_cells, const Execut
     });
 }
 
-/// What lies along the border of a 4-connected region.
-struct BorderTally {
-    std::size_t num_cells = 0;
-    std::size_t num_edges = 0;
-    std::size_t num_room_edges = 0;
-    std::size_t num_wall_edges = 0;
-};
-
-/// The borders of the parts of a mask that are `wanted`; nothing at 0.
-/// @pre no cell of the mask is of a room or a wall.
-std::vector<BorderTally> tally_borders(const Raster<std::uint16_t>& ground,
-                                       const Raster<std::uint8_t>& mask,
-                                       const ConnectedParts& parts,
-                                       const std::vector<bool>& wanted) {
-    std::vector<BorderTally> tallies(parts.count + std::size_t{1});
-    const auto width = static_cast<std::size_t>(ground.width);
-    parts.for_each_run([&](const CellRun& run, std::size_t first) {
-        if (!wanted[run.part]) return;
-        const std::size_t length = run.end - run.begin;
-        // What lies beside a cell of the mask and is in the mask is of the same part.
-        std::uint32_t num_edges = 0;
-        std::uint32_t num_room_edges = 0;
-        std::uint32_t num_wall_edges = 0;
-        const auto look = [&](std::size_t begin, std::size_t count) {
-            for (std::size_t i = begin; i < begin + count; ++i) {
-                num_edges += mask.values[i] == 0 ? 1 : 0;
-                num_room_edges += is_room(ground.values[i]) ? 1 : 0;
-                num_wall_edges += ground.values[i] == kWall ? 1 : 0;
-            }
-        };
-        if (run.begin > 0) look(first - 1, 1);
-        if (run.end < width) look(first + length, 1);
-        if (first >= width) look(first - width, length);
-        if (first + width < ground.values.size()) look(first + width, length);
-        BorderTally& tally = tallies[run.part];
-        tally.num_cells += length;
-        tally.num_edges += num_edges;
-        tally.num_room_edges += num_room_edges;
-        tally.num_wall_edges += num_wall_edges;
-    });
-    return tallies;
-}
-
 /// Adds the free cells to the mask that nothing but walls touches.
 void add_shut_in_cells(const Raster<std::uint16_t>& ground, Raster<std::uint8_t>& is_hidden,
                        const Executor& executor) {
     const Raster<std::uint8_t> is_loose = mask_of(ground, kLooseFree, executor);
     if (!is_any_set(is_loose)) return;
     const ConnectedParts parts = parts_of(is_loose, executor);
-    const std::vector<Bounds> bounds = bounds_of(parts);
+    const std::vector<CellBounds> bounds = bounds_of(parts);
     std::vector<bool> is_shut_in(bounds.size());
     for (std::size_t i = 1; i < bounds.size(); ++i) is_shut_in[i] = !meets_frame(bounds[i], ground);
     const std::vector<BorderTally> tallies = tally_borders(ground, is_loose, parts, is_shut_in);
@@ -346,7 +279,7 @@ void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
     add_shut_in_cells(ground, is_hidden, executor);
     const Raster<std::uint8_t> thick = find_thick_parts(is_hidden, max_wall_cells + 1, executor);
     const ConnectedParts parts = parts_of(is_hidden, executor);
-    const std::vector<Bounds> bounds = bounds_of(parts);
+    const std::vector<CellBounds> bounds = bounds_of(parts);
     std::vector<bool> is_furniture(bounds.size());
     for (std::size_t i = 1; i < bounds.size(); ++i) {
         is_furniture[i] = is_shorter(bounds[i], max_furniture_cells);

@@ -20,6 +20,10 @@ inline constexpr std::uint16_t kWallCore = kFirstNonRoom + 1;
 /// Occupied, or thin and between occupied cells.
 inline constexpr std::uint16_t kWall = kFirstNonRoom + 2;
 
+[[nodiscard]] constexpr bool is_room(std::uint16_t ground) {
+    return ground > 0 && ground < kFirstNonRoom;
+}
+
 // What stands on the floor.
 inline constexpr std::uint8_t kFurniture = 1;
 /// What the map could not see into, or the inside of a desk drawn as an outline.

@@ -28,13 +28,19 @@ struct Block {
     double name_cap = 0.0;
 };
 
-Block measure(const LabelText& text, double size, bool with_area, const Typeface& typeface) {
+/// How long the lines of a text are, in the font's own units.
+struct TextLengths {
+    int name = 0;
+    int area = 0;
+};
+
+Block measure(const TextLengths& lengths, double size, bool with_area, const Typeface& typeface) {
     Block block;
     block.name_cap = typeface.cap_height(size);
-    block.width = typeface.width(text.name, size);
+    block.width = typeface.width(lengths.name, size);
     block.height = block.name_cap;
     if (with_area) {
-        block.width = std::max(block.width, typeface.width(text.area, size * kAreaSize));
+        block.width = std::max(block.width, typeface.width(lengths.area, size * kAreaSize));
         block.height += size * kLineGap + typeface.cap_height(size * kAreaSize);
     }
     return block;
@@ -73,7 +79,12 @@ class Fitter {
 public:
     Fitter(const LabelText& text, const Raster<std::uint16_t>& ground, const PageScale& scale,
            double unit, const Typeface& typeface)
-        : text_(text), ground_(ground), scale_(scale), unit_(unit), typeface_(typeface) {}
+        : text_(text),
+          lengths_{typeface.length_units(text.name), typeface.length_units(text.area)},
+          ground_(ground),
+          scale_(scale),
+          unit_(unit),
+          typeface_(typeface) {}
 
     [[nodiscard]] Fit find(TextDirection direction) const {
         // Where letters have space to breathe, rather than where they just fit.
@@ -87,7 +98,7 @@ public:
 
     [[nodiscard]] RoomLabel label(const Fit& fit, TextDirection direction) const {
         const double size = kSizes.at(fit.size) * unit_;
-        const Block block = measure(text_, size, fit.with_area, typeface_);
+        const Block block = measure(lengths_, size, fit.with_area, typeface_);
         const Point center = scale_.to_page(fit.center);
         // `down`: from the middle of the block to a base line, across the lines of text.
         const auto anchor = [&](double down) {
@@ -125,7 +136,7 @@ private:
 
     [[nodiscard]] bool fits(const Point& center, double size, TextDirection direction,
                             bool with_area, double padding) const {
-        const Block block = measure(text_, size, with_area, typeface_);
+        const Block block = measure(lengths_, size, with_area, typeface_);
         double width = (block.width + 2.0 * padding * size) / scale_.pixels_per_cell;
         double height = (block.height + 2.0 * padding * size) / scale_.pixels_per_cell;
         if (direction == TextDirection::upwards) std::swap(width, height);
@@ -133,6 +144,7 @@ private:
     }
 
     const LabelText& text_;
+    TextLengths lengths_;
     const Raster<std::uint16_t>& ground_;
     const PageScale& scale_;
     double unit_;

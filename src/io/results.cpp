@@ -45,8 +45,13 @@ Raster<std::uint16_t> on_map(const GridMap& map, const Raster<std::uint16_t>& fr
 
 /// The segmentation with labels for exactly the cells of the map.
 Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
-    Segmentation result = segmentation;
+    Segmentation result;
     result.labels = on_map(map, segmentation.labels);
+    result.rooms = segmentation.rooms;
+    result.doors = segmentation.doors;
+    result.next_id = segmentation.next_id;
+    result.report = segmentation.report;
+    result.hierarchy.levels = segmentation.hierarchy.levels;
     if (!result.hierarchy.levels.empty()) {
         result.hierarchy.finest = on_map(map, segmentation.hierarchy.finest);
     }

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace quadcut::io {
 namespace {
 
 constexpr std::size_t kRowsPerChunk = 32;
-constexpr std::size_t kColumnsPerChunk = 512;
+constexpr std::size_t kColumnsPerChunk = 256;
 
 /// Calls `body(row)` for each row of the mask.
 template <typename Body>
@@ -44,10 +45,27 @@ void for_each_run(const std::uint8_t* row, std::size_t width, const Visitor& vis
     }
 }
 
+/// Calls `combine(first column, last, step)` for a few columns at a time: when rows of those have
+/// been combined with the one `step` rows on for each of the steps, each stands for `side` rows.
+template <typename Combine>
+void for_each_reach(const Raster<std::uint8_t>& mask, std::int32_t side, const Executor& executor,
+                    const Combine& combine) {
+    parallel_for(executor, static_cast<std::size_t>(mask.width), kColumnsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     const auto whole = static_cast<std::size_t>(side);
+                     for (std::size_t reach = 1; reach < whole;) {
+                         const std::size_t step = std::min(reach, whole - reach);
+                         combine(first, last, step);
+                         reach += step;
+                     }
+                 });
+}
+
 /// Every cell stays set only if the `side` cells that end at it are, along the row and then up the
 /// column: the upper right corners of full squares.
 void keep_square_ends(Raster<std::uint8_t>& mask, std::int32_t side, const Executor& executor) {
     const auto width = static_cast<std::size_t>(mask.width);
+    const auto height = static_cast<std::size_t>(mask.height);
     const auto lost = static_cast<std::size_t>(side) - 1;
     for_each_row(mask, executor, [&](std::uint8_t* row) {
         for_each_run(row, width, [&](std::size_t begin, std::size_t end) {
@@ -55,43 +73,36 @@ void keep_square_ends(Raster<std::uint8_t>& mask, std::int32_t side, const Execu
             std::fill(row + begin, row + std::min(begin + lost, end), std::uint8_t{0});
         });
     });
-    parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
-        // The row of the last cell that is not set; as if rows of set cells came before.
-        std::vector<std::int32_t> columns(last - first, -side - 1);
-        std::int32_t* const last_unset = columns.data();
-        for (std::int32_t y = 0; y < mask.height; ++y) {
-            std::uint8_t* const row =
-                mask.values.data() + static_cast<std::size_t>(y) * width + first;
-            for (std::size_t x = 0; x < last - first; ++x) {
-                last_unset[x] = row[x] == 0 ? y : last_unset[x];
-                row[x] = y - last_unset[x] >= side ? 1 : 0;
-            }
-        }
-    });
+    // What is below the first row counts as set.
+    for_each_reach(mask, side, executor,
+                   [&](std::size_t first, std::size_t last, std::size_t step) {
+                       for (std::size_t y = height; y-- > step;) {
+                           std::uint8_t* const row = mask.values.data() + y * width;
+                           const std::uint8_t* const below = row - step * width;
+                           for (std::size_t x = first; x < last; ++x) row[x] &= below[x];
+                       }
+                   });
 }
 
 /// Every cell becomes set if one of the `side` cells from it on is, along the row and then up the
 /// column.
 void fill_squares(Raster<std::uint8_t>& ends, std::int32_t side, const Executor& executor) {
     const auto width = static_cast<std::size_t>(ends.width);
+    const auto height = static_cast<std::size_t>(ends.height);
     const auto reach = static_cast<std::size_t>(side) - 1;
     for_each_row(ends, executor, [&](std::uint8_t* row) {
         for_each_run(row, width, [&](std::size_t begin, std::size_t) {
             std::fill(row + (begin > reach ? begin - reach : 0), row + begin, std::uint8_t{1});
         });
     });
-    parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
-        std::vector<std::int32_t> columns(last - first, ends.height + side);
-        std::int32_t* const next_set = columns.data();
-        for (std::int32_t y = ends.height - 1; y >= 0; --y) {
-            std::uint8_t* const row =
-                ends.values.data() + static_cast<std::size_t>(y) * width + first;
-            for (std::size_t x = 0; x < last - first; ++x) {
-                next_set[x] = row[x] != 0 ? y : next_set[x];
-                row[x] = next_set[x] - y < side ? 1 : 0;
-            }
-        }
-    });
+    for_each_reach(ends, side, executor,
+                   [&](std::size_t first, std::size_t last, std::size_t step) {
+                       for (std::size_t y = 0; y + step < height; ++y) {
+                           std::uint8_t* const row = ends.values.data() + y * width;
+                           const std::uint8_t* const above = row + step * width;
+                           for (std::size_t x = first; x < last; ++x) row[x] |= above[x];
+                       }
+                   });
 }
 
 /// The mask with a border of `margin` set cells above and to the right. (On the lower and left
@@ -107,17 +118,19 @@ Raster<std::uint8_t> widened(const Raster<std::uint8_t>& mask, std::int32_t marg
     return wide;
 }
 
-/// The part of `wide` that begins `shift` cells above and to the right of its first cell.
-Raster<std::uint8_t> cropped(const Raster<std::uint8_t>& wide, std::int32_t width,
-                             std::int32_t height, std::int32_t shift) {
-    Raster<std::uint8_t> result(wide.origin, width, height);
+/// The part of `wide` that begins `shift` cells above and to the right of its first cell, in place.
+Raster<std::uint8_t> cropped(Raster<std::uint8_t> wide, std::int32_t width, std::int32_t height,
+                             std::int32_t shift) {
     for (std::int32_t y = 0; y < height; ++y) {
         const Cell from{wide.origin.x + shift, wide.origin.y + y + shift};
-        const Cell to{wide.origin.x, wide.origin.y + y};
-        std::copy_n(wide.values.begin() + static_cast<std::ptrdiff_t>(wide.offset(from)), width,
-                    result.values.begin() + static_cast<std::ptrdiff_t>(result.offset(to)));
+        const std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+        std::memmove(&wide.values[to], &wide.values[wide.offset(from)],
+                     static_cast<std::size_t>(width));
     }
-    return result;
+    wide.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    wide.width = width;
+    wide.height = height;
+    return wide;
 }
 
 }  // namespace
@@ -128,7 +141,7 @@ Raster<std::uint8_t> find_thick_parts(const Raster<std::uint8_t>& mask, std::int
     Raster<std::uint8_t> wide = widened(mask, side);
     keep_square_ends(wide, side, executor);
     fill_squares(wide, side, executor);
-    return cropped(wide, mask.width, mask.height, 0);
+    return cropped(std::move(wide), mask.width, mask.height, 0);
 }
 
 Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int32_t margin_cells,
@@ -136,7 +149,7 @@ Raster<std::uint8_t> find_deep_parts(const Raster<std::uint8_t>& mask, std::int3
     const std::int32_t margin = std::max(margin_cells, 0);
     Raster<std::uint8_t> wide = widened(mask, margin);
     keep_square_ends(wide, 2 * margin + 1, executor);
-    return cropped(wide, mask.width, mask.height, margin);
+    return cropped(std::move(wide), mask.width, mask.height, margin);
 }
 
 }  // namespace quadcut::io

@@ -109,7 +109,13 @@ Typeface& Typeface::operator=(Typeface&&) noexcept = default;
 Typeface::~Typeface() = default;
 
 double Typeface::width(std::string_view text, double size) const {
-    return font_->scale(size) * font_->lay_out(text).width;
+    return width(length_units(text), size);
+}
+
+int Typeface::length_units(std::string_view text) const { return font_->lay_out(text).width; }
+
+double Typeface::width(int length_units, double size) const {
+    return font_->scale(size) * length_units;
 }
 
 double Typeface::cap_height(double size) const {

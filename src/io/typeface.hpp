@@ -21,6 +21,9 @@ public:
 
     /// How far a line of text (UTF-8) reaches.
     [[nodiscard]] double width(std::string_view text, double size) const;
+    /// The same in two steps, for one text in several sizes: its length in the font's own units.
+    [[nodiscard]] int length_units(std::string_view text) const;
+    [[nodiscard]] double width(int length_units, double size) const;
     /// The height of capitals and digits.
     [[nodiscard]] double cap_height(double size) const;
     /// The letters' outlines, curves as short straight pieces. The text begins at (0, 0) on its

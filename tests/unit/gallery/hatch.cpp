@@ -25,7 +25,7 @@ TEST(GalleryHatch, FillsThePolygonButNotItsHole) {
     EXPECT_NEAR(ink_in(10, 30, 50) + ink_in(70, 90, 50), 40.0 / 8.0, 2.0);
 }
 
-TEST(GalleryHatch, OfNothingIsNothing) { EXPECT_TRUE(hatch({}, 8.0, 1.0).edges().empty()); }
+TEST(GalleryHatch, OfNothingIsNothing) { EXPECT_TRUE(hatch({}, 8.0, 1.0).lines().empty()); }
 
 }  // namespace
 }  // namespace quadcut::gallery

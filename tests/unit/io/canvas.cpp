@@ -123,5 +123,54 @@ TEST(Canvas, IsWrittenAsRgb) {
     EXPECT_EQ(image.samples, (std::vector<std::uint16_t>{1, 2, 3, 4, 5, 6}));
 }
 
+/// Shapes of all kinds across many bands, some of them beyond the page.
+Canvas busy_canvas() {
+    Canvas canvas(90, 300, kWhite);
+    canvas.fill(polygon({{10, -20}, {80, 150}, {20, 320}, {40, 140}}), {200, 30, 60});
+    Shape lines;
+    for (int i = 0; i < 12; ++i) {
+        const double y = 27.3 * i;
+        lines.add_closed_line(std::vector<Point>{{-5, y}, {60.5, y + 70}, {120, y + 3}}, 3.7);
+        lines.add_disc({45, y}, 6.0);
+    }
+    canvas.fill(lines, {20, 90, 200}, 0.6);
+    return canvas;
+}
+
+TEST(Canvas, IsTheSameOnAnyNumberOfThreads) {
+    const Canvas canvas = busy_canvas();
+    EXPECT_EQ(canvas.encode_png(Executor{3}), canvas.encode_png());
+}
+
+TEST(Canvas, HasNoSeamsBetweenBands) {
+    const test::ScratchFolder folder;
+    const Canvas canvas = busy_canvas();
+    const Image image = read_image(folder.write("x.png", canvas.encode_png()));
+    ASSERT_EQ(image.header, (ImageHeader{90, 300, 3, 255}));
+    std::size_t num_inked = 0;
+    for (std::int32_t y = 0; y < 300; ++y) {
+        for (std::int32_t x = 0; x < 90; ++x) {
+            const auto samples = image.row(y).subspan(3 * static_cast<std::size_t>(x), 3);
+            const Rgb alone = canvas.at(x, y);  // Painted as a band of this row only.
+            EXPECT_EQ(samples[0], alone.red) << x << ", " << y;
+            EXPECT_EQ(samples[1], alone.green) << x << ", " << y;
+            EXPECT_EQ(samples[2], alone.blue) << x << ", " << y;
+            if (alone != kWhite) ++num_inked;
+        }
+    }
+    EXPECT_GT(num_inked, 10000U);
+}
+
+TEST(Canvas, InkShowsOnWhatIsNotOfItsColor) {
+    Canvas canvas(20, 70, kBlack);
+    const Shape square = polygon({{2, 2}, {18, 2}, {18, 68}, {2, 68}});
+    canvas.fill(square, kBlack);
+    EXPECT_EQ(canvas.at(10, 35), kBlack);
+    canvas.fill(polygon({{5, 66}, {6, 66}, {6, 67}, {5, 67}}), kWhite);
+    canvas.fill(square, kBlack, 0.5);
+    EXPECT_NEAR(canvas.at(5, 66).red, 128, 1) << "the one pixel that is not black";
+    EXPECT_EQ(canvas.at(10, 35), kBlack);
+}
+
 }  // namespace
 }  // namespace quadcut::io

@@ -140,6 +140,19 @@ TEST(Image, WritesAndReadsFiles) {
     EXPECT_EQ(folder.names().size(), 2U);
 }
 
+TEST(Image, APngIsTheSameOnAnyNumberOfThreads) {
+    const test::ScratchFolder folder;
+    for (const int max_value : {255, 65535}) {
+        const Image image =
+            counting_image(150, 201, 3, max_value);  // Four bands, the last not full.
+        const std::string bytes = encode_png(image.header, rows_of(image));
+        EXPECT_EQ(encode_png(image.header, rows_of(image), Executor{3}), bytes);
+        const Image again = read_image(folder.write("a.png", bytes));
+        EXPECT_EQ(again.header, image.header);
+        EXPECT_EQ(again.samples, image.samples);
+    }
+}
+
 TEST(Image, ReadingNamesTheFile) {
     EXPECT_EQ(error_of([] { (void)read_image("/nowhere.png"); }),
               "/nowhere.png: cannot be opened: No such file or directory");

@@ -125,7 +125,7 @@ void paint(const std::vector<std::vector<Cell>>& rings, Raster<std::uint16_t>& c
                 if (crosses) ++num_crossings;
             }
         }
-        cells.values[i] += static_cast<std::uint32_t>(num_crossings % 2);
+        if (num_crossings % 2 != 0) ++cells.values[i];
     }
 }
 
@@ -134,7 +134,7 @@ TEST(Outline, OfRandomRegionsIsExact) {
     for (int round = 0; round < 60; ++round) {
         Raster<std::uint16_t> values({0, 0}, 14, 11);
         for (std::uint16_t& value : values.values) {
-            value = static_cast<std::uint32_t>(random.below(3));
+            value = static_cast<std::uint16_t>(random.below(3));
         }
         Raster<std::uint16_t> covered({0, 0}, 14, 11);
         std::size_t num_cells = 0;
