@@ -117,8 +117,8 @@ WorldCost cost_of(const World& world) {
     cost.percent_below = percent_below_quarter(cost.updates);
     cost.percent_below_near = percent_below_quarter(lay_in(world, short_range, false));
     cost.median_touched = median(heights(cost.updates.touched));
-    cost.update_ms = mean(cost.updates.update_ms);
-    cost.tree_ms = mean(cost.updates.kd_tree_ms);
+    cost.update_ms = median(heights(cost.updates.update_ms));
+    cost.tree_ms = median(heights(cost.updates.kd_tree_ms));
     return cost;
 }
 
@@ -130,8 +130,8 @@ Table table_of(const std::vector<WorldCost>& costs) {
                  {"the same, laser limited to 4 m", "%", {none()}},
                  {"nodes touched, median", "%", {none()}},
                  {"KD-tree: nodes reconstructed", "%", {words("100")}},
-                 {"quadtree, one scan, mean", "ms", {none()}},
-                 {"KD-tree built anew, mean", "ms", {none()}}}};
+                 {"quadtree, one scan, median", "ms", {none()}},
+                 {"KD-tree built anew, median", "ms", {none()}}}};
     for (const WorldCost& cost : costs) {
         table.columns.push_back(cost.name);
         const std::vector<Value> values{cost.updates.num_crossing > 0
@@ -196,7 +196,7 @@ std::vector<Claim> claims_of(const std::vector<WorldCost>& costs) {
          "when the middle is crossed, ps is " +
              by_world(costs, " %", [](const WorldCost& c) { return c.updates.ps_when_crossing; })},
         {all(costs, [](const WorldCost& c) { return c.percent_below >= 50.0; }),
-         "of the scans have a ps of at most 25 %: " +
+         "scans with a ps of at most 25 %: " +
              by_world(costs, " %", [](const WorldCost& c) { return c.percent_below; }) +
              "; with a laser of 4 m " +
              by_world(costs, " %", [](const WorldCost& c) { return c.percent_below_near; })},
@@ -204,7 +204,7 @@ std::vector<Claim> claims_of(const std::vector<WorldCost>& costs) {
          "nodes really touched, median: " +
              by_world(costs, " %", [](const WorldCost& c) { return c.median_touched; })},
         {all(costs, [](const WorldCost& c) { return c.update_ms < c.tree_ms; }),
-         "the quadtree takes a scan times as fast as a KD-tree is built anew: " +
+         "times that a scan goes into the quadtree while a KD-tree is built anew: " +
              by_world(costs, "", [](const WorldCost& c) { return c.tree_ms / c.update_ms; })}};
 }
 
@@ -308,7 +308,7 @@ Figure figure_14(const Worlds& worlds, const FollowedTwice& workplace, const Fol
          "that of an update changes by a factor of " +
              by_world(growths, "", [](const Growth& g) { return g.local; })},
         {all(growths, [](const Growth& g) { return g.share < 0.5; }),
-         "in the mean it has of the whole map's nodes " +
+         "its mean share of the whole map's nodes is " +
              by_world(growths, " %", [](const Growth& g) { return 100.0 * g.share; })}};
     return figure;
 }
