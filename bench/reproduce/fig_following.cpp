@@ -54,9 +54,10 @@ Updates lay_in(const World& world, const IntegrateOptions& options, bool with_tr
             result.ps_when_crossing += 100.0 * ps;
         }
         if (with_trees && (i + 1) % sample == 0) {
-            std::vector<Cell> points = obstacles_of(map);
+            const std::vector<Cell> points = obstacles_of(map);
+            // A scan goes in once only; a tree can be built again, and the least time counts.
             result.kd_tree_ms.push_back(
-                {at, elapsed_ms([&] { const KdTree tree(std::move(points)); })});
+                {at, least_ms(3, {[&] { const KdTree tree(points); }}).front()});
         }
     }
     if (result.num_crossing > 0) {
@@ -69,6 +70,12 @@ std::vector<double> heights(const std::vector<Point>& points) {
     std::vector<double> values;
     for (const Point& point : points) values.push_back(point.y);
     return values;
+}
+
+double highest(const std::vector<Point>& points) {
+    double value = 0.0;
+    for (const Point& point : points) value = std::max(value, point.y);
+    return value;
 }
 
 double mean(const std::vector<Point>& points) {
@@ -167,8 +174,10 @@ std::vector<Picture> pictures_of(const std::vector<WorldCost>& costs) {
                     "scan",
                     "ms",
                     {{"quadtree, one scan", last.updates.update_ms, CurveStyle::dots},
-                     {"KD-tree built anew", last.updates.kd_tree_ms}}};
-    pictures.push_back({"fig13_times.svg", to_svg(plot), last.name + ": wall time"});
+                     {"KD-tree built anew", last.updates.kd_tree_ms}},
+                    1.25 * highest(last.updates.kd_tree_ms)};
+    pictures.push_back({"fig13_times.svg", to_svg(plot),
+                        last.name + ": wall time; what took longer is drawn at the top"});
     return pictures;
 }
 
