@@ -54,9 +54,10 @@ Updates lay_in(const World& world, const IntegrateOptions& options, bool with_tr
             result.ps_when_crossing += 100.0 * ps;
         }
         if (with_trees && (i + 1) % sample == 0) {
-            std::vector<Cell> points = obstacles_of(map);
+            const std::vector<Cell> points = obstacles_of(map);
+            // A scan goes in once only; a tree can be built again, and the least time counts.
             result.kd_tree_ms.push_back(
-                {at, elapsed_ms([&] { const KdTree tree(std::move(points)); })});
+                {at, least_ms(3, {[&] { const KdTree tree(points); }}).front()});
         }
     }
     if (result.num_crossing > 0) {
@@ -69,6 +70,12 @@ std::vector<double> heights(const std::vector<Point>& points) {
     std::vector<double> values;
     for (const Point& point : points) values.push_back(point.y);
     return values;
+}
+
+double highest(const std::vector<Point>& points) {
+    double value = 0.0;
+    for (const Point& point : points) value = std::max(value, point.y);
+    return value;
 }
 
 double mean(const std::vector<Point>& points) {
@@ -117,8 +124,8 @@ WorldCost cost_of(const World& world) {
     cost.percent_below = percent_below_quarter(cost.updates);
     cost.percent_below_near = percent_below_quarter(lay_in(world, short_range, false));
     cost.median_touched = median(heights(cost.updates.touched));
-    cost.update_ms = mean(cost.updates.update_ms);
-    cost.tree_ms = mean(cost.updates.kd_tree_ms);
+    cost.update_ms = median(heights(cost.updates.update_ms));
+    cost.tree_ms = median(heights(cost.updates.kd_tree_ms));
     return cost;
 }
 
@@ -130,8 +137,8 @@ Table table_of(const std::vector<WorldCost>& costs) {
                  {"the same, laser limited to 4 m", "%", {none()}},
                  {"nodes touched, median", "%", {none()}},
                  {"KD-tree: nodes reconstructed", "%", {words("100")}},
-                 {"quadtree, one scan, mean", "ms", {none()}},
-                 {"KD-tree built anew, mean", "ms", {none()}}}};
+                 {"quadtree, one scan, median", "ms", {none()}},
+                 {"KD-tree built anew, median", "ms", {none()}}}};
     for (const WorldCost& cost : costs) {
         table.columns.push_back(cost.name);
         const std::vector<Value> values{cost.updates.num_crossing > 0
@@ -167,8 +174,10 @@ std::vector<Picture> pictures_of(const std::vector<WorldCost>& costs) {
                     "scan",
                     "ms",
                     {{"quadtree, one scan", last.updates.update_ms, CurveStyle::dots},
-                     {"KD-tree built anew", last.updates.kd_tree_ms}}};
-    pictures.push_back({"fig13_times.svg", to_svg(plot), last.name + ": wall time"});
+                     {"KD-tree built anew", last.updates.kd_tree_ms}},
+                    1.25 * highest(last.updates.kd_tree_ms)};
+    pictures.push_back({"fig13_times.svg", to_svg(plot),
+                        last.name + ": wall time; what took longer is drawn at the top"});
     return pictures;
 }
 
@@ -196,7 +205,7 @@ std::vector<Claim> claims_of(const std::vector<WorldCost>& costs) {
          "when the middle is crossed, ps is " +
              by_world(costs, " %", [](const WorldCost& c) { return c.updates.ps_when_crossing; })},
         {all(costs, [](const WorldCost& c) { return c.percent_below >= 50.0; }),
-         "of the scans have a ps of at most 25 %: " +
+         "scans with a ps of at most 25 %: " +
              by_world(costs, " %", [](const WorldCost& c) { return c.percent_below; }) +
              "; with a laser of 4 m " +
              by_world(costs, " %", [](const WorldCost& c) { return c.percent_below_near; })},
@@ -204,7 +213,7 @@ std::vector<Claim> claims_of(const std::vector<WorldCost>& costs) {
          "nodes really touched, median: " +
              by_world(costs, " %", [](const WorldCost& c) { return c.median_touched; })},
         {all(costs, [](const WorldCost& c) { return c.update_ms < c.tree_ms; }),
-         "the quadtree takes a scan times as fast as a KD-tree is built anew: " +
+         "times that a scan goes into the quadtree while a KD-tree is built anew: " +
              by_world(costs, "", [](const WorldCost& c) { return c.tree_ms / c.update_ms; })}};
 }
 
@@ -308,7 +317,7 @@ Figure figure_14(const Worlds& worlds, const FollowedTwice& workplace, const Fol
          "that of an update changes by a factor of " +
              by_world(growths, "", [](const Growth& g) { return g.local; })},
         {all(growths, [](const Growth& g) { return g.share < 0.5; }),
-         "in the mean it has of the whole map's nodes " +
+         "its mean share of the whole map's nodes is " +
              by_world(growths, " %", [](const Growth& g) { return 100.0 * g.share; })}};
     return figure;
 }

@@ -90,8 +90,10 @@ Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory, c
         "quadtree, four temporary submaps at half the way, very similar to the final ones, which "
         "fit the structure of the rooms. Tables and chairs count as walls and cut rooms apart.";
     figure.setting =
-        "The paper's data is not public, so the robot is simulated, with a laser of 270 degrees. " +
-        world.origin +
+        "The paper's data is not public, so the robot is simulated, with a laser of 270 degrees. "
+        "Its "
+        "world is " +
+        world.origin.substr(world.origin.find(": ") + 2) +
         ". Followed in the preset paper on cells of 10 cm, rooms of 5 cm; then the whole map, "
         "cut by all methods.";
     figure.pictures = {

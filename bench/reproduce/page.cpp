@@ -106,9 +106,10 @@ void append_pictures(std::string& page, const Figure& figure) {
     for (const Picture& picture : figure.pictures) {
         const std::string file = escaped(picture.file);
         const std::string caption = escaped(picture.caption);
-        page += "<figure><a href=\"" + file + "\"><img loading=\"lazy\" src=\"" + file +
-                "\" alt=\"" + caption + "\"/></a><figcaption>" + caption +
-                "</figcaption></figure>\n";
+        page.append("<figure><a href=\"").append(file);
+        page.append("\"><img loading=\"lazy\" src=\"").append(file);
+        page.append("\" alt=\"").append(caption);
+        page.append("\"/></a><figcaption>").append(caption).append("</figcaption></figure>\n");
     }
     page += "</div>\n";
 }

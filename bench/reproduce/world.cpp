@@ -157,7 +157,7 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
     explore(world, solid, widest_place(ground), seed);
     read_truth(world, ground, *data / kLaboratoryRooms);
     world.origin =
-        "laboratory: the floor plan of a real one with its furniture, "
+        "laboratory: the floor plan of a real laboratory with its furniture, "
         "lab_c_scan.furnished (not the paper's), and a simulated robot, " +
         std::to_string(world.scans.size()) + " scans";
     return world;
