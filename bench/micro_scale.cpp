@@ -16,6 +16,7 @@
 
 #include "bench/campus.hpp"
 #include "bench/cases.hpp"
+#include "bench/cpu_time.hpp"
 #include "bench/distance_transform.hpp"
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"

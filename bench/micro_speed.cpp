@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench/cases.hpp"
+#include "bench/cpu_time.hpp"
 #include "bench/distance_transform.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"

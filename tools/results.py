@@ -289,7 +289,7 @@ def updates(files: dict, old: str) -> str | None:
     lines = [[row["input"], row["map"], f"{row['ms_a_scan']:.3f}", f"{row['over_flat_grid']:.2f}",
               f"{row['over_quadcut']:.2f}", f"{row['known_m2']:,.0f}", f"{row['bytes_a_known_m2']:,.0f}"]
              for row in files["updates"]["rows"]]
-    return (table(["log", "map", "ms a scan", "over flat grid", "over quadcut", "known m²",
+    return (table(["log", "map", "CPU ms a scan", "over flat grid", "over quadcut", "known m²",
                    "bytes a known m²"], lines) + source(files["updates"]))
 
 
