@@ -3,11 +3,10 @@
 // Scans into a map, 5 cm: quadcut (as `quadcut map` and `follow` do), a flat grid with Bresenham's
 // lines and one byte a cell, and OctoMap (insertPointCloud with lazy evaluation, as it is and with
 // the cloud discretized, updateInnerOccupancy() at the end; its clouds are made beforehand). All on
-// one thread, in turn; the least of five rounds.
+// one thread, in turn; the least CPU time of five rounds.
 //   micro_updates [-o FILE.json] [LOG ...]      logs of the data, or files
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -20,6 +19,7 @@
 #include <octomap/octomap.h>
 
 #include "bench/cases.hpp"
+#include "bench/cpu_time.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/result_file.hpp"
 #include "io/carmen.hpp"
@@ -66,12 +66,13 @@ Cloud cloud_of(const Scan& scan) {
     return cloud;
 }
 
+/// Of CPU: a long run among other work is interrupted, a short one often is not, which would favour
+/// the fast.
 template <typename Work>
 double timed_ms(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start_ms = cpu_ms();
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+    return cpu_ms() - start_ms;
 }
 
 void run_quadcut(const std::vector<Scan>& scans, Measured& measured) {

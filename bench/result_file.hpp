@@ -3,18 +3,19 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "io/file.hpp"
@@ -56,6 +57,43 @@ inline Json machine() {
             {"compiler", "g++ " __VERSION__}};
 }
 
+/// What all processes of the machine, and this one with its children, have used.
+struct CpuUse {
+    std::chrono::steady_clock::time_point at;
+    double all_s = 0.0;
+    double own_s = 0.0;
+};
+
+inline CpuUse cpu_use() {
+    CpuUse use;
+    use.at = std::chrono::steady_clock::now();
+    std::string word;
+    double user = 0.0;
+    double nice = 0.0;
+    double system = 0.0;
+    std::ifstream("/proc/stat") >> word >> user >> nice >> system;
+    use.all_s = (user + nice + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage usage{};
+        getrusage(whose, &usage);
+        for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+            use.own_s +=
+                static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        }
+    }
+    return use;
+}
+
+inline const CpuUse kUseAtStart = cpu_use();
+
+/// How many cores other processes kept busy since this one started, on average.
+inline double cores_of_others() {
+    const CpuUse now = cpu_use();
+    const double elapsed_s = std::chrono::duration<double>(now.at - kUseAtStart.at).count();
+    const double others_s = (now.all_s - kUseAtStart.all_s) - (now.own_s - kUseAtStart.own_s);
+    return std::max(0.0, std::round(100.0 * others_s / std::max(elapsed_s, 0.1)) / 100.0);
+}
+
 inline std::string now_utc() {
     const std::time_t now = std::time(nullptr);
     std::tm parts{};
@@ -80,8 +118,8 @@ inline void round_numbers(Json& value) {
 
 /// Writes `rows`, an array of objects, in the envelope of the benchmark `name`, through a temporary
 /// file; nothing when `path` is empty. A row is known by its texts: no two have all of them alike.
-/// ./run says which commit was measured, and by which command. Throws InputError when the file
-/// cannot be written.
+/// ./run says which commit was measured, and by which command. `cores_of_others` tells times that
+/// were measured beside other work. Throws InputError when the file cannot be written.
 inline void write_results(const std::string& path, const std::string& name, Json rows) {
     using result_file::environment;
     if (path.empty()) return;
@@ -92,6 +130,7 @@ inline void write_results(const std::string& path, const std::string& name, Json
     envelope["commit"] = environment("QUADCUT_BENCH_COMMIT", "unknown");
     envelope["command"] = environment("QUADCUT_BENCH_COMMAND", "build/release/bench/micro_" + name);
     envelope["date"] = result_file::now_utc();
+    envelope["cores_of_others"] = result_file::cores_of_others();
     std::string text = envelope.dump(1);
     text.resize(text.rfind('\n'));
     text += ",\n \"rows\": [";

@@ -50,7 +50,9 @@ def source(*files: dict) -> str:
     for file in files:
         machine = file["machine"]
         said.append(f"`{file['command']}`, commit {file['commit']}, {file['date'][:10]}, "
-                    f"{machine['cpu']}, {machine['cores']} cores")
+                    f"{machine['cpu']}, {machine['cores']} cores"
+                    + (f" of which others used {file['cores_of_others']:.1f}"
+                       if file.get("cores_of_others", 0) >= 0.05 else ""))
     return "\n*" + "; ".join(said) + "*\n"
 
 
@@ -234,16 +236,20 @@ def speed(files: dict, old: str) -> str | None:
         return None
     rows = files["speed"]["rows"]
     lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{row['segment_ms']:.1f}",
-              f"{row['distance_transform_ms']:.1f}", f"{row['ratio']:.1f}"] for row in rows]
+              f"{row['distance_transform_ms']:.1f}", f"{row['ratio']:.1f}",
+              f"{row['cpu_ratio']:.1f}"] for row in rows]
     ratios = [row["ratio"] for row in rows]
+    cpu_ratios = [row["cpu_ratio"] for row in rows]
     stages = {}
     for row in rows:
         for stage, ms in row["stages_ms"].items():
             stages[stage] = stages.get(stage, 0.0) + ms
     shares = ", ".join(f"{stage} {100 * ms / sum(stages.values()):.0f} %"
                        for stage, ms in sorted(stages.items(), key=lambda item: -item[1]))
-    return (table(["map", "megacells", "`segment()` ms", "distance transform ms", "ratio"], lines)
-            + f"\nMedian {statistics.median(ratios):.1f}, worst {max(ratios):.1f}. Of the time: {shares}.\n"
+    return (table(["map", "megacells", "`segment()` ms", "distance transform ms", "ratio", "of CPU times"],
+                  lines)
+            + f"\nMedian {statistics.median(ratios):.1f}, worst {max(ratios):.1f}; of the CPU times "
+              f"{statistics.median(cpu_ratios):.1f} and {max(cpu_ratios):.1f}. Of the time: {shares}.\n"
             + source(files["speed"]))
 
 
@@ -255,12 +261,12 @@ def scale(files: dict, old: str) -> str | None:
     shown = [row for row in rows if row["kind"] != "data" or row["cells"] > 2e6]
     lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{1e-6 * row['free_cells']:.2f}",
               str(row["rooms"]), f"{row['segment_ms']:.0f}", f"{row['segment_cpu_ms']:.0f}",
-              f"{row['distance_transform_ms']:.0f}", f"{row['ratio']:.1f}",
+              f"{row['distance_transform_ms']:.0f}", f"{row['ratio']:.1f}", f"{row['cpu_ratio']:.1f}",
               f"{row['peak_mib']:.0f}"] for row in shown]
     fits = [[row["fit"], f"{row['exponent']:.3f}", str(row["maps"]), f"{row['largest_deviation']:.2f}"]
             for row in files["scale"]["rows"] if "fit" in row]
     return (table(["map", "megacells", "free", "rooms", "`segment()` ms", "of CPU, all threads",
-                   "distance transform ms", "ratio", "peak MiB"], lines) + "\n"
+                   "distance transform ms", "ratio", "of CPU times", "peak MiB"], lines) + "\n"
             + table(["from 10^6 cells on", "exponent", "maps", "within a factor"], fits)
             + source(files["scale"]))
 
@@ -283,7 +289,7 @@ def updates(files: dict, old: str) -> str | None:
     lines = [[row["input"], row["map"], f"{row['ms_a_scan']:.3f}", f"{row['over_flat_grid']:.2f}",
               f"{row['over_quadcut']:.2f}", f"{row['known_m2']:,.0f}", f"{row['bytes_a_known_m2']:,.0f}"]
              for row in files["updates"]["rows"]]
-    return (table(["log", "map", "ms a scan", "over flat grid", "over quadcut", "known m²",
+    return (table(["log", "map", "CPU ms a scan", "over flat grid", "over quadcut", "known m²",
                    "bytes a known m²"], lines) + source(files["updates"]))
 
 
@@ -342,7 +348,11 @@ def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:
         head, name, old, tail = match.groups()
         if name not in MAKERS:
             raise ValueError(f"no table is called '{name}'; there are: {', '.join(MAKERS)}")
-        new = MAKERS[name](files, old)
+        try:
+            new = MAKERS[name](files, old)
+        except KeyError as error:
+            raise ValueError(f"table '{name}': a file in docs/results has no {error}; "
+                             "./run bench writes it anew") from error
         if new is None or new == old:
             return match.group(0)
         changed.append((text.count("\n", 0, match.start()) + 1, name))

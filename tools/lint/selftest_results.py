@@ -23,7 +23,7 @@ def file_of(rows: list[dict], **changes) -> dict:
 
 def speed_row(name: str, segment_ms: float, transform_ms: float = 2.0) -> dict:
     return {"input": name, "cells": 1000000, "segment_ms": segment_ms,
-            "distance_transform_ms": transform_ms, "ratio": segment_ms / transform_ms,
+            "distance_transform_ms": transform_ms, "ratio": segment_ms / transform_ms, "cpu_ratio": 10.0,
             "stages_ms": {"fuse": 0.75 * segment_ms, "doors": 0.25 * segment_ms}}
 
 
@@ -57,8 +57,10 @@ class Tables(unittest.TestCase):
         self.assertEqual([], generated.check_tables(self.root, fix=False))
         text = self.page("docs/results.md")
         self.assertTrue(text.startswith("before\n<!-- bench:speed -->\n| map |"))
-        self.assertIn("| lab | 1.00 | 30.0 | 2.0 | 15.0 |\n| hall | 1.00 | 50.0 | 2.0 | 25.0 |\n", text)
-        self.assertIn("Median 20.0, worst 25.0. Of the time: fuse 75 %, doors 25 %.", text)
+        self.assertIn("| lab | 1.00 | 30.0 | 2.0 | 15.0 | 10.0 |\n"
+                      "| hall | 1.00 | 50.0 | 2.0 | 25.0 | 10.0 |\n", text)
+        self.assertIn("Median 20.0, worst 25.0; of the CPU times 10.0 and 10.0. "
+                      "Of the time: fuse 75 %, doors 25 %.", text)
         self.assertIn("commit abc1234, 2026-01-02, x86, 2 cores*\n<!-- /bench:speed -->\nafter\n", text)
         (self.root / "docs/results.md").write_text(text.replace("30.0", "29.0"), encoding="utf-8")
         self.assertEqual(1, len(generated.check_tables(self.root, fix=False)))
@@ -150,6 +152,9 @@ class Compare(unittest.TestCase):
         self.assertEqual(["warning: different commits: abc1234, def-dirty",
                           "warning: def-dirty had changes that are in no commit"],
                          warned(commit="def-dirty"))
+
+        self.assertEqual(["warning: abc1234 was measured while others used 1.5 of 2 cores"],
+                         warned(cores_of_others=1.5))
 
     def test_no_file_of_results(self):
         for bad in ("[]", "{", "{}"):

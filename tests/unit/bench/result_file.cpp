@@ -27,6 +27,7 @@ TEST(ResultFile, SaysWhereRowsComeFrom) {
     EXPECT_EQ(file["commit"], "abc1234");
     EXPECT_EQ(file["command"], "./run bench speed");
     EXPECT_EQ(file["date"].get<std::string>().size(), std::string("2026-01-02T03:04:05Z").size());
+    EXPECT_GE(file["cores_of_others"], 0.0);
     EXPECT_GE(file["machine"]["cores"], 1);
     EXPECT_GT(file["machine"]["memory_gib"], 0.0);
     for (const char* key : {"cpu", "os", "compiler"}) {
