@@ -35,6 +35,13 @@ std::vector<std::vector<std::uint32_t>> group_by_part(const std::vector<std::uin
     return groups;
 }
 
+/// Pivoted QR and a few k-means steps.
+std::vector<std::uint32_t> cluster_rows(const Eigenpairs& pairs, const Executor& executor) {
+    const Embedding samples = embed(pairs, pairs.size());
+    const Clustering start = cluster_pivoted_qr(samples, executor);
+    return refine_k_means(samples, start, kRefineSteps, executor).clustering.labels;
+}
+
 }  // namespace
 
 Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
@@ -87,48 +94,33 @@ Pieces over_cut(const Graph& region, const OverCutOptions& options, StageClock& 
     for (auto& nodes : group_by_part(connected_components(region))) {
         waiting.push_back({induced_subgraph(region, nodes), std::move(nodes)});
     }
-    const auto push = [&](const Part& part, const std::vector<std::uint32_t>& group) {
-        std::vector<std::uint32_t> nodes;
-        nodes.reserve(group.size());
-        for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);
-        waiting.push_back({induced_subgraph(part.graph, group), std::move(nodes)});
-    };
     while (!waiting.empty()) {
         const Part part = std::move(waiting.back());
         waiting.pop_back();
         clock.begin("eigen");
+        std::vector<std::uint32_t> labels(part.nodes.size(), 0);
+        bool found_all = false;
         if (part.nodes.size() > kMaxSolvedNodes) {
-            const auto coarse =
-                cut_multilevel(part.graph, options.laplacian, part.nodes.size() / kNodesPerPart);
-            for (const auto& group : group_by_part(connected_components(part.graph, coarse))) {
-                push(part, group);
-            }
-            continue;
+            labels = cut_multilevel(part.graph, options.laplacian, labels.size() / kNodesPerPart);
+        } else {
+            const Eigenpairs pairs =
+                eigenpairs_below(part.graph, options.laplacian, options.max_eigenvalue_per_m2,
+                                 options.max_pairs, eigen_options, executor);
+            pieces.eigen.push_back(report_of(pairs));
+            found_all = pairs.size() < options.max_pairs;
+            clock.begin("cluster");
+            if (pairs.size() >= 2) labels = cluster_rows(pairs, executor);
         }
-        const Eigenpairs pairs =
-            eigenpairs_below(part.graph, options.laplacian, options.max_eigenvalue_per_m2,
-                             options.max_pairs, eigen_options, executor);
-        pieces.eigen.push_back(report_of(pairs));
-        if (pairs.size() < 2) {
-            for (const std::uint32_t node : part.nodes) pieces.piece_of_node[node] = pieces.count;
-            ++pieces.count;
-            continue;
-        }
-        clock.begin("cluster");
-        const Embedding samples = embed(pairs, pairs.size());
-        const Clustering start = cluster_pivoted_qr(samples, executor);
-        const Clustering clusters =
-            refine_k_means(samples, start, kRefineSteps, executor).clustering;
-        const bool found_all = pairs.size() < options.max_pairs;
-        for (const auto& group : group_by_part(connected_components(part.graph, clusters.labels))) {
+        for (const auto& group : group_by_part(connected_components(part.graph, labels))) {
+            std::vector<std::uint32_t> nodes;
+            nodes.reserve(group.size());
+            for (const std::uint32_t node : group) nodes.push_back(part.nodes[node]);
             // A cut that made no progress would be tried for ever.
             if (!found_all && group.size() < part.nodes.size()) {
-                push(part, group);
+                waiting.push_back({induced_subgraph(part.graph, group), std::move(nodes)});
                 continue;
             }
-            for (const std::uint32_t node : group) {
-                pieces.piece_of_node[part.nodes[node]] = pieces.count;
-            }
+            for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
             ++pieces.count;
         }
     }

@@ -29,7 +29,7 @@ constexpr Index kBandRows = 4096;
 /// and on a busy machine each meeting may cost a time slice.
 constexpr Index kMinSharedRows = 65536;
 /// Vectors between two looks at the Ritz values.
-constexpr Index kCheckEvery = 8;
+constexpr Index kCheckEvery = 4;
 /// Vectors of the basis, beside 5/4 of the pairs: more take longer to reorthogonalise, fewer
 /// converge more slowly.
 constexpr Index kExtraVectors = 36;

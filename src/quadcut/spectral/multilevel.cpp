@@ -33,31 +33,30 @@ struct Part {
     }
 };
 
-/// The weight of a node's edges to other nodes.
-double degree(const Graph& graph, std::uint32_t node) {
-    const auto neighbours = graph.neighbours(node);
-    const auto weights = graph.neighbour_weights(node);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < neighbours.size(); ++k) {
-        if (neighbours[k] != node) sum += weights[k];
+/// Calls `visit(other node, weight)` for each edge of a node but loops.
+template <typename Visit>
+void for_each_edge(const Graph& graph, std::uint32_t node, const Visit& visit) {
+    for (std::size_t k = graph.row_begin[node]; k < graph.row_begin[node + 1]; ++k) {
+        if (graph.columns[k] != node) visit(graph.columns[k], graph.weights[k]);
     }
+}
+
+double degree(const Graph& graph, std::uint32_t node) {
+    double sum = 0.0;
+    for_each_edge(graph, node, [&](std::uint32_t, double weight) { sum += weight; });
     return sum;
 }
 
 std::vector<Part> measure_parts(const Graph& graph, std::span<const double> volumes,
                                 std::span<const std::uint32_t> part_of_node) {
-    std::vector<Part> parts(
-        part_of_node.empty()
-            ? 0
-            : 1 + std::size_t{*std::max_element(part_of_node.begin(), part_of_node.end())});
+    std::vector<Part> parts;
     for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
-        Part& part = parts[part_of_node[node]];
-        part.volume += volumes[node];
-        const auto neighbours = graph.neighbours(node);
-        const auto weights = graph.neighbour_weights(node);
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            if (part_of_node[neighbours[k]] != part_of_node[node]) part.cut += weights[k];
-        }
+        const std::uint32_t own = part_of_node[node];
+        if (own >= parts.size()) parts.resize(own + std::size_t{1});
+        parts[own].volume += volumes[node];
+        for_each_edge(graph, node, [&](std::uint32_t other, double weight) {
+            if (part_of_node[other] != own) parts[own].cut += weight;
+        });
     }
     return parts;
 }
@@ -101,11 +100,9 @@ Split find_split(const Graph& graph, std::vector<std::uint32_t> nodes) {
         const std::uint32_t node = order[i];
         is_below[node] = 1;
         double to_below = 0.0;
-        const auto neighbours = part.neighbours(node);
-        const auto weights = part.neighbour_weights(node);
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            if (is_below[neighbours[k]] != 0) to_below += weights[k];
-        }
+        for_each_edge(part, node, [&](std::uint32_t other, double weight) {
+            if (is_below[other] != 0) to_below += weight;
+        });
         const double to_all = degree(graph, split.nodes[node]);
         below.volume += part.area_m2[node];
         below.cut += to_all - 2.0 * to_below;
@@ -117,10 +114,8 @@ Split find_split(const Graph& graph, std::vector<std::uint32_t> nodes) {
             split.middle = i + 1;
         }
     }
-    std::vector<std::uint32_t> sorted;
-    sorted.reserve(order.size());
-    for (const std::uint32_t i : order) sorted.push_back(split.nodes[i]);
-    split.nodes = std::move(sorted);
+    for (std::uint32_t& node : order) node = split.nodes[node];
+    split.nodes = std::move(order);
     return split;
 }
 
@@ -194,16 +189,14 @@ private:
         if (num_nodes_[from] == 1 || std::none_of(neighbours.begin(), neighbours.end(), is_other)) {
             return false;
         }
-        const auto weights = graph_.neighbour_weights(node);
         touched_.clear();
         double degree = 0.0;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            if (neighbours[k] == node) continue;
-            const std::uint32_t part = part_of_node_[neighbours[k]];
+        for_each_edge(graph_, node, [&](std::uint32_t other, double weight) {
+            const std::uint32_t part = part_of_node_[other];
             if (weight_to_[part] == 0.0) touched_.push_back(part);
-            weight_to_[part] += weights[k];
-            degree += weights[k];
-        }
+            weight_to_[part] += weight;
+            degree += weight;
+        });
         const auto changed = [&](std::uint32_t part, double sign) {
             const Part& old = parts_[part];
             return Part{old.volume + sign * volumes_[node],
@@ -245,20 +238,11 @@ private:
 
 /// What the parts' volumes are sums of; positive.
 std::vector<double> volumes_of(const Graph& graph, LaplacianKind kind) {
-    const Laplacian laplacian(graph, kind);
+    const bool is_area = kind == LaplacianKind::area;
+    const Laplacian laplacian(graph, is_area ? kind : LaplacianKind::degree);
     std::vector<double> volumes(laplacian.null_vector().begin(), laplacian.null_vector().end());
     for (double& volume : volumes) volume *= volume;
     return volumes;
-}
-
-/// The graph with all weights 1 but those of loops and of edges that are none.
-Graph without_weights(Graph graph) {
-    for (std::size_t node = 0; node < graph.num_nodes(); ++node) {
-        for (std::size_t k = graph.row_begin[node]; k < graph.row_begin[node + 1]; ++k) {
-            graph.weights[k] = graph.columns[k] == node || graph.weights[k] == 0.0 ? 0.0 : 1.0;
-        }
-    }
-    return graph;
 }
 
 }  // namespace
@@ -267,9 +251,6 @@ double normalised_cut(const Graph& graph, LaplacianKind kind,
                       std::span<const std::uint32_t> part_of_node) {
     if (part_of_node.size() != graph.num_nodes()) {
         throw std::logic_error("normalised_cut: one part a node is wanted");
-    }
-    if (kind == LaplacianKind::unweighted) {
-        return normalised_cut(without_weights(graph), LaplacianKind::degree, part_of_node);
     }
     double cost = 0.0;
     for (const Part& part : measure_parts(graph, volumes_of(graph, kind), part_of_node)) {
@@ -280,9 +261,6 @@ double normalised_cut(const Graph& graph, LaplacianKind kind,
 
 std::vector<std::uint32_t> cut_multilevel(const Graph& graph, LaplacianKind kind,
                                           std::size_t num_parts) {
-    if (kind == LaplacianKind::unweighted) {
-        return cut_multilevel(without_weights(graph), LaplacianKind::degree, num_parts);
-    }
     const std::vector<double> volumes = volumes_of(graph, kind);
     const std::size_t num_coarsest = std::max(kMinCoarseNodes, kCoarseNodesPerPart * num_parts);
     const double max_volume = kMaxShare * std::accumulate(volumes.begin(), volumes.end(), 0.0) /

@@ -14,8 +14,9 @@ namespace quadcut {
 
 /// What a cut of a graph costs: the sum over the parts S of cut(S) / volume(S), where cut(S) is the
 /// weight of the edges that leave S. By degree, volume(S) is the weight of all edges of S's nodes:
-/// Shi and Malik's normalised cut; by area, the area of S; unweighted, all weights are 1.
-/// `part_of_node`: one a node, any numbers. O(nodes + edges).
+/// Shi and Malik's normalised cut (and so for the unweighted kind); by area, the area of S.
+/// `part_of_node`: one a node, numbered from 0. O(nodes + edges). Throws std::logic_error if there
+/// are not as many as nodes, and where Laplacian() does.
 [[nodiscard]] double normalised_cut(const Graph& graph, LaplacianKind kind,
                                     std::span<const std::uint32_t> part_of_node);
 

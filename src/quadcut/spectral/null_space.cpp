@@ -15,7 +15,9 @@ namespace {
 
 /// Share of the norm: eigenvalues below it count as zero.
 constexpr double kZero = 1e-9;
-constexpr double kSmallResidual = 1e-13;
+/// Share of the norm. Next to a shift this near, a vector with more of a residual is not of
+/// length 1.
+constexpr double kSmallResidual = 1e-17;
 /// Of two rows, squared, as a share of their squared lengths.
 constexpr double kEqualRows = 1e-8;
 

@@ -129,6 +129,19 @@ TEST(OverCut, RecursionCutsAsFineAsOneSolve) {
     for (const EigenReport& report : recursive.eigen) EXPECT_LE(report.eigenvalues.size(), 4U);
 }
 
+TEST(OverCut, ALargeRegionIsNeverSolvedAsAWhole) {
+    const std::uint32_t num_rooms = 20;
+    const Graph graph = rooms_in_a_row(num_rooms, 60, 60, 0.2);
+    OverCutOptions options;
+    options.max_eigenvalue_per_m2 = 0.002;
+    StageClock clock;
+    const Pieces pieces = over_cut(graph, options, clock);
+    expect_partition(graph, pieces);
+    for (const EigenReport& report : pieces.eigen) EXPECT_LE(report.num_nodes, 65536U);
+    // Below the limit a room has one eigenvalue: the pieces are the rooms.
+    expect_rooms(pieces, num_rooms);
+}
+
 TEST(Submaps, LongestRouteOfAPathAndAGrid) {
     EXPECT_EQ(longest_route_edges(rooms_in_a_row(1, 10, 1, 0.0)), 9U);
     EXPECT_EQ(longest_route_edges(rooms_in_a_row(1, 7, 4, 0.0)), 6U + 3U);

