@@ -174,10 +174,11 @@ void blend_span(std::uint8_t* to, std::size_t num_pixels, Rgb color, float share
     const std::array<float, kChannels> over = {static_cast<float>(color.red),
                                                static_cast<float>(color.green),
                                                static_cast<float>(color.blue)};
+    constexpr float kToNearest = 0.5F;  // The levels are not negative.
     for (std::size_t i = 0; i < num_pixels; ++i) {
         for (const float above : over) {
             const auto below = static_cast<float>(*to);
-            *to++ = static_cast<std::uint8_t>(below + share * (above - below) + 0.5F);
+            *to++ = static_cast<std::uint8_t>(below + share * (above - below) + kToNearest);
         }
     }
 }
