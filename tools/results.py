@@ -276,10 +276,11 @@ def stages(files: dict, old: str) -> str | None:
     if "stages" not in files:
         return None
     lines = [[row["method"], row["fit"], f"{row['exponent_over_cells']:.2f}",
-              f"{row['exponent_over_free_cells']:.2f}", f"{row['largest_deviation']:.2f}"]
+              f"{row['exponent_over_free_cells']:.2f}", f"{row['largest_deviation']:.2f}",
+              f"{row['exponent_over_cells_from_1e6']:.2f} ({row['sizes_from_1e6']} sizes)"]
              for row in files["stages"]["rows"] if "fit" in row]
-    return (table(["method", "stage", "exponent over cells", "over free cells", "within a factor"],
-                  lines) + source(files["stages"]))
+    return (table(["method", "stage", "exponent over cells", "over free cells", "within a factor",
+                   "over cells, from 10^6 on"], lines) + source(files["stages"]))
 
 
 def updates(files: dict, old: str) -> str | None:
