@@ -148,7 +148,8 @@ def every_input(files: dict, old: str) -> str | None:
         scores = [f"{100 * row[key]:.1f}" if key in row else DASH for key in ("pq", "f1_70", "cover")]
         rows.append([row["input"], row["method"], *scores, str(row["rooms"]),
                      str(row.get("true_rooms", DASH)), f"{row['elapsed_ms']:.0f}"])
-    return table(["input", "method", "PQ", "F1 0.7", "cover", "rooms", "true", "ms"], rows)
+    return (table(["input", "method", "PQ", "F1 0.7", "cover", "rooms", "true", "ms"], rows)
+            + source(files["quality"]))
 
 
 def f1_of(rows: list[dict], key: str) -> str:
