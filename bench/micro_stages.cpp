@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +29,7 @@ constexpr int kRuns = 3;
 constexpr double kEnoughMs = 4000.0;
 constexpr int kSmallest = 10;
 constexpr int kLargest = 640;
+constexpr double kLargeCells = 1e6;
 
 struct Method {
     std::string name;
@@ -81,12 +81,15 @@ Json measure(const Method& method, int num_rooms) {
             row["peak_mib"] = own_mib("VmHWM");
         }
         // A stage may be entered again.
-        std::map<std::string, double> sums_ms;
-        for (const auto& [stage, ms] : stages_ms) sums_ms[stage] += ms;
-        for (const auto& [stage, ms] : sums_ms) {
-            Json& least = row["stages_ms"][stage];
-            least = least.is_null() ? ms : std::min(least.get<double>(), ms);
+        Json sums_ms = Json::object();
+        for (const auto& [stage, ms] : stages_ms) {
+            sums_ms[stage] = sums_ms.value(stage, 0.0) + ms;
             elapsed_ms += ms;
+        }
+        for (const auto& [stage, sum] : sums_ms.items()) {
+            Json& least = row["stages_ms"][stage];
+            least = std::min(least.is_null() ? sum.get<double>() : least.get<double>(),
+                             sum.get<double>());
         }
     }
     double sum_ms = 0.0;
@@ -108,31 +111,52 @@ void print(const Json& row) {
     std::fflush(stdout);
 }
 
-/// A fit of each stage of a method, and of their sum and of the peak.
-void add_fits(const std::string& method, const Json& measured, Json& rows) {
-    std::map<std::string, std::pair<std::vector<Point>, std::vector<Point>>> curves;
+/// A stage's times over the sizes that were measured.
+struct Curve {
+    std::string stage;
+    std::vector<Point> over_cells;
+    std::vector<Point> over_free_cells;
+};
+
+std::vector<Curve> curves_of(const Json& measured) {
+    std::vector<Curve> curves;
     for (const Json& row : measured) {
-        const auto add = [&](const std::string& what, double value) {
-            auto& [over_cells, over_free] = curves[what];
-            over_cells.push_back({row["cells"].get<double>(), value});
-            over_free.push_back({row["free_cells"].get<double>(), value});
+        const auto add = [&](const std::string& stage, double value) {
+            const auto is_it = [&](const Curve& curve) { return curve.stage == stage; };
+            auto found = std::find_if(curves.begin(), curves.end(), is_it);
+            if (found == curves.end()) found = curves.insert(found, Curve{stage, {}, {}});
+            found->over_cells.push_back({row["cells"].get<double>(), value});
+            found->over_free_cells.push_back({row["free_cells"].get<double>(), value});
         };
         for (const auto& [stage, ms] : row["stages_ms"].items()) add(stage, ms.get<double>());
         add("all", row["sum_ms"].get<double>());
         add("peak memory", row["peak_mib"].get<double>());
     }
-    for (const auto& [stage, points] : curves) {
-        const PowerFit over_cells = fit_power(points.first);
-        const PowerFit over_free = fit_power(points.second);
-        std::printf("%-14s %-12s exponent over cells %.2f, over free cells %.2f, within x %.2f\n",
-                    method.c_str(), stage.c_str(), over_cells.exponent, over_free.exponent,
-                    over_cells.largest_deviation);
+    return curves;
+}
+
+/// A fit of each stage of a method, and of their sum and of the peak; small maps fit into caches,
+/// so the large ones are fitted on their own, too.
+void add_fits(const std::string& method, const Json& measured, Json& rows) {
+    for (const Curve& curve : curves_of(measured)) {
+        const PowerFit all = fit_power(curve.over_cells);
+        std::vector<Point> large = curve.over_cells;
+        std::erase_if(large, [](const Point& point) { return point.x < kLargeCells; });
+        const PowerFit of_large = fit_power(large);
+        const PowerFit over_free = fit_power(curve.over_free_cells);
+        std::printf(
+            "%-14s %-12s exponent over cells %.2f, over free cells %.2f, within x %.2f; over "
+            "cells from 10^6 on %.2f (%zu sizes)\n",
+            method.c_str(), curve.stage.c_str(), all.exponent, over_free.exponent,
+            all.largest_deviation, of_large.exponent, of_large.num_points);
         rows.push_back({{"method", method},
-                        {"fit", stage},
-                        {"exponent_over_cells", over_cells.exponent},
+                        {"fit", curve.stage},
+                        {"exponent_over_cells", all.exponent},
                         {"exponent_over_free_cells", over_free.exponent},
-                        {"largest_deviation", over_cells.largest_deviation},
-                        {"sizes", over_cells.num_points}});
+                        {"largest_deviation", all.largest_deviation},
+                        {"sizes", all.num_points},
+                        {"exponent_over_cells_from_1e6", of_large.exponent},
+                        {"sizes_from_1e6", of_large.num_points}});
     }
 }
 

@@ -148,7 +148,8 @@ def every_input(files: dict, old: str) -> str | None:
         scores = [f"{100 * row[key]:.1f}" if key in row else DASH for key in ("pq", "f1_70", "cover")]
         rows.append([row["input"], row["method"], *scores, str(row["rooms"]),
                      str(row.get("true_rooms", DASH)), f"{row['elapsed_ms']:.0f}"])
-    return table(["input", "method", "PQ", "F1 0.7", "cover", "rooms", "true", "ms"], rows)
+    return (table(["input", "method", "PQ", "F1 0.7", "cover", "rooms", "true", "ms"], rows)
+            + source(files["quality"]))
 
 
 def f1_of(rows: list[dict], key: str) -> str:
@@ -276,10 +277,11 @@ def stages(files: dict, old: str) -> str | None:
     if "stages" not in files:
         return None
     lines = [[row["method"], row["fit"], f"{row['exponent_over_cells']:.2f}",
-              f"{row['exponent_over_free_cells']:.2f}", f"{row['largest_deviation']:.2f}"]
+              f"{row['exponent_over_free_cells']:.2f}", f"{row['largest_deviation']:.2f}",
+              f"{row['exponent_over_cells_from_1e6']:.2f} ({row['sizes_from_1e6']} sizes)"]
              for row in files["stages"]["rows"] if "fit" in row]
-    return (table(["method", "stage", "exponent over cells", "over free cells", "within a factor"],
-                  lines) + source(files["stages"]))
+    return (table(["method", "stage", "exponent over cells", "over free cells", "within a factor",
+                   "over cells, from 10^6 on"], lines) + source(files["stages"]))
 
 
 def updates(files: dict, old: str) -> str | None:

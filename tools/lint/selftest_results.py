@@ -150,10 +150,10 @@ class Compare(unittest.TestCase):
         self.assertEqual(["warning: different machines, cores: 2, 4"],
                          warned(machine={"cpu": "x86", "cores": 4, "memory_gib": 8.0}))
         self.assertEqual(["warning: different commits: abc1234, def-dirty",
-                          "warning: def-dirty had changes that are in no commit"],
+                          "warning: B had changes that are in no commit"],
                          warned(commit="def-dirty"))
 
-        self.assertEqual(["warning: abc1234 was measured while others used 1.5 of 2 cores"],
+        self.assertEqual(["warning: B was measured while others used 1.5 of 2 cores"],
                          warned(cores_of_others=1.5))
 
     def test_no_file_of_results(self):
