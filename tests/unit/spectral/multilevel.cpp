@@ -110,8 +110,13 @@ TEST(MultilevelCut, CutsAtTheDoors) {
 }
 
 TEST(MultilevelCut, NoMoveOfOneNodeHelps) {
-    // Without doors the coarse nodes' borders are ragged: it takes the finest level to smooth them.
-    const Graph graph = test::grid_graph(90, 40);
+    // Uneven weights make the coarse nodes' borders ragged: it takes the finest level to mend them.
+    Graph graph = test::grid_graph(90, 40);
+    for (std::size_t i = 0; i < graph.num_nodes(); ++i) {
+        for (std::size_t k = graph.row_begin[i]; k < graph.row_begin[i + 1]; ++k) {
+            graph.weights[k] = 0.05 + static_cast<double>((i + 1) * (graph.columns[k] + 1) % 7);
+        }
+    }
     Parts parts = cut_multilevel(graph, LaplacianKind::area, 6);
     const double cost = normalised_cut(graph, LaplacianKind::area, parts);
     for (std::size_t i = 0; i < graph.num_nodes(); ++i) {
