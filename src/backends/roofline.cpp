@@ -51,7 +51,7 @@ StageWork block_product(std::size_t num_rows, std::size_t num_entries, std::size
     const auto vectors = static_cast<double>(num_vectors);
     StageWork work;
     work.operations = 2.0 * (entries + rows) * vectors;
-    work.bytes_up = 16.0 * rows + 12.0 * entries + 8.0 * rows * vectors;
+    work.bytes_up = 20.0 * rows + 12.0 * entries + 8.0 * rows * vectors;
     work.bytes_down = 8.0 * rows * vectors;
     // Each vector reads the matrix, and its own entries at least once.
     work.memory_bytes = (16.0 * rows + 12.0 * entries + 16.0 * rows) * vectors;

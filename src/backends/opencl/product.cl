@@ -8,13 +8,14 @@
 
 // A work-item makes the entry of one row and one vector.
 __kernel void multiply(__global const double* diagonal, __global const ulong* row_begin,
-                       __global const uint* columns, __global const double* values,
-                       __global const double* block, __global double* result, uint num_rows) {
+                       __global const uint* row_length, __global const uint* columns,
+                       __global const double* values, __global const double* block, __global double* result, uint num_rows) {
     const uint row = (uint)get_global_id(0);
     if (row >= num_rows) return;
     const size_t vector = get_global_id(1) * num_rows;
     double sum = diagonal[row] * block[vector + row];
-    for (ulong k = row_begin[row]; k < row_begin[row + 1]; ++k) {
+    const ulong end = row_begin[row] + row_length[row];
+    for (ulong k = row_begin[row]; k < end; ++k) {
         sum += values[k] * block[vector + columns[k]];
     }
     result[vector + row] = sum;

@@ -49,6 +49,7 @@ void ProductStage::multiply(const MatrixRows& matrix, std::span<const double> bl
     };
     const Buffer diagonal = send(matrix.diagonal);
     const Buffer row_begin = send(matrix.row_begin);
+    const Buffer row_length = send(matrix.row_length);
     const Buffer columns = send(matrix.columns);
     const Buffer values = send(matrix.values);
     // Three of them: one goes up, one is worked on, one comes down.
@@ -69,7 +70,7 @@ void ProductStage::multiply(const MatrixRows& matrix, std::span<const double> bl
         if (slot.down.handle) free.push_back(slot.down);
         free.push_back(uploads_.write(slot.block, &block[first], count * sizeof(double), read));
         uploads_.flush();
-        kernel_.set(diagonal, row_begin, columns, values, slot.block, slot.result,
+        kernel_.set(diagonal, row_begin, row_length, columns, values, slot.block, slot.result,
                     static_cast<std::uint32_t>(num_rows));
         slot.worked = work_.launch(kernel_, num_rows, count / num_rows, free);
         work_.flush();

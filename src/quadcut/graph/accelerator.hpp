@@ -14,10 +14,12 @@
 
 namespace quadcut {
 
-/// A symmetric matrix as Laplacian keeps it: its diagonal, and compressed rows of what lies beside.
+/// A symmetric matrix as Laplacian keeps it: its diagonal, and what lies beside it, row by row in
+/// any order: row i is entries row_begin[i] .. row_begin[i] + row_length[i] - 1.
 struct MatrixRows {
     std::span<const double> diagonal;
     std::span<const std::size_t> row_begin;
+    std::span<const std::uint32_t> row_length;
     std::span<const std::uint32_t> columns;
     std::span<const double> values;
 };

@@ -119,7 +119,8 @@ void Laplacian::apply_block(std::span<const double> block, std::span<double> res
     }
     Accelerator* const accelerator = executor.accelerator;
     if (accelerator != nullptr &&
-        accelerator->multiply({diagonal_, row_begin_, columns_, values_}, block, result)) {
+        accelerator->multiply({diagonal_, row_begin_, row_length_, columns_, values_}, block,
+                              result)) {
         return;
     }
     parallel_for(executor, block.size() / size(), 1, [&](std::size_t j, std::size_t) {
