@@ -37,12 +37,16 @@ void sweep_columns(const Raster<std::uint8_t>& open, Raster<float>& out, std::si
     }
 }
 
-/// The lower envelope of the parabolas (x - i)^2 + g_i^2 along one row, and its value at each x.
-/// Runs of open cells are looked at one by one: no parabola reaches beyond a blocked cell, whose
-/// g = 0. Such a cell is at each end; outside of the row all are blocked.
+/// The lower envelope of the parabolas (x - i)^2 + g_i^2 along one row, and its value at each x
+/// (Meijster, Roerdink, Hesselink, "A general algorithm for computing distance transforms in linear
+/// time", 2000). Runs of open cells are looked at one by one: no parabola reaches beyond a blocked
+/// cell, whose g = 0. Such a cell is at each end; outside of the row all are blocked. `Whole` holds
+/// the square of the row's length and of the largest g, four times.
+template <typename Whole>
 class RowEnvelope {
 public:
-    explicit RowEnvelope(std::size_t width) : pieces_(width + 2), squared_(width) {}
+    explicit RowEnvelope(std::size_t width)
+        : squares_(width + 2), vertex_(width + 2), start_(width + 2) {}
 
     void transform(float* row, std::size_t width, float resolution_m) {
         for (std::size_t x = 0; x < width;) {
@@ -52,70 +56,72 @@ public:
             }
             const std::size_t begin = x;
             while (x < width && row[x] != 0.0F) ++x;
-            transform_run(row, begin, x);
-            const auto length = static_cast<std::ptrdiff_t>(x - begin);
-            const double farthest = *std::max_element(squared_.begin(), squared_.begin() + length);
-            for (std::size_t i = begin; i < x; ++i) {
-                const double squared = squared_[i - begin];
-                // Whole numbers: below 2^24 the root of the float is the rounded root of the
-                // double.
-                const float centre_distance = farthest < kExactFloat
-                                                  ? std::sqrt(static_cast<float>(squared))
-                                                  : static_cast<float>(std::sqrt(squared));
-                row[i] = (centre_distance - 0.5F) * resolution_m;
-            }
+            transform_run(row + begin, static_cast<Whole>(x - begin), resolution_m);
         }
     }
 
 private:
-    static constexpr double kExactFloat = 16777216.0;
-
-    /// A parabola that is the lowest from x = numerator / denominator on.
-    struct Piece {
-        double vertex = 0.0;
-        double squared_height = 0.0;
-        double numerator = 0.0;
-        double denominator = 1.0;
-    };
-
-    void transform_run(const float* row, std::size_t begin, std::size_t end) {
-        count_ = 0;
-        push(static_cast<double>(begin) - 1.0, 0.0);
-        for (std::size_t x = begin; x < end; ++x) {
-            const auto height = static_cast<double>(row[x]);
-            push(static_cast<double>(x), height * height);
+    /// Cells 1 .. length between two blocked ones.
+    void transform_run(float* row, Whole length, float resolution_m) {
+        Whole* const squares = squares_.data();
+        squares[0] = 0;
+        squares[length + 1] = 0;
+        for (Whole x = 1; x <= length; ++x) {
+            const auto height = static_cast<Whole>(row[x - 1]);
+            squares[x] = height * height;
         }
-        push(static_cast<double>(end), 0.0);
-        std::size_t k = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto x = static_cast<double>(i);
-            while (k + 1 < count_ && pieces_[k + 1].numerator < x * pieces_[k + 1].denominator) ++k;
-            const double dx = x - pieces_[k].vertex;
-            squared_[i - begin] = dx * dx + pieces_[k].squared_height;
+        // Pieces of the envelope: whose parabola, and from which cell on.
+        Whole* const vertex = vertex_.data();
+        Whole* const start = start_.data();
+        Whole top = 0;
+        vertex[0] = 0;
+        start[0] = 0;
+        for (Whole x = 1; x <= length + 1; ++x) {
+            const auto height_at = [&](Whole cell, Whole of) {
+                return (cell - of) * (cell - of) + squares[of];
+            };
+            while (height_at(start[top], vertex[top]) > height_at(start[top], x)) --top;
+            const Whole before = vertex[top];
+            const Whole across = x - before;
+            const Whole numerator = across * (x + before) + squares[x] - squares[before];
+            const Whole from = 1 + (across == 1 ? numerator / 2 : numerator / (2 * across));
+            if (from > length) continue;
+            ++top;
+            vertex[top] = x;
+            start[top] = from;
         }
+        for (Whole x = length; x >= 1; --x) {
+            while (x < start[top]) --top;
+            const Whole across = x - vertex[top];
+            row[x - 1] = root(across * across + squares[vertex[top]]);
+        }
+        for (Whole x = 0; x < length; ++x) row[x] = (row[x] - 0.5F) * resolution_m;
     }
 
-    void push(double vertex, double squared_height) {
-        Piece next{vertex, squared_height};
-        const double own = squared_height + vertex * vertex;
-        while (count_ > 0) {
-            const Piece& top = pieces_[count_ - 1];
-            // Where the new parabola begins to be the lower one.
-            next.numerator = own - top.squared_height - top.vertex * top.vertex;
-            next.denominator = 2.0 * (vertex - top.vertex);
-            if (count_ == 1 ||
-                next.numerator * top.denominator > top.numerator * next.denominator) {
-                break;
-            }
-            --count_;
-        }
-        pieces_[count_++] = next;
+    /// Below 2^24 the root of the float is the rounded root of the double.
+    static float root(Whole squared) {
+        constexpr Whole kExactFloat = 1 << 24;
+        if (squared < kExactFloat) return std::sqrt(static_cast<float>(squared));
+        return static_cast<float>(std::sqrt(static_cast<double>(squared)));
     }
 
-    std::vector<Piece> pieces_;
-    std::vector<double> squared_;
-    std::size_t count_ = 0;
+    std::vector<Whole> squares_;
+    std::vector<Whole> vertex_;
+    std::vector<Whole> start_;
 };
+
+template <typename Whole>
+void transform_rows(Raster<float>& out, double resolution_m, const Executor& executor) {
+    const auto width = static_cast<std::size_t>(out.width);
+    parallel_for(executor, static_cast<std::size_t>(out.height), kRowsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     RowEnvelope<Whole> envelope(width);
+                     for (std::size_t y = first; y < last; ++y) {
+                         envelope.transform(&out.values[y * width], width,
+                                            static_cast<float>(resolution_m));
+                     }
+                 });
+}
 
 }  // namespace
 
@@ -123,16 +129,15 @@ Raster<float> clearance_m(const Raster<std::uint8_t>& open, double resolution_m,
                           const Executor& executor) {
     Raster<float> out(open.origin, open.width, open.height);
     const auto width = static_cast<std::size_t>(open.width);
-    const auto height = static_cast<std::size_t>(open.height);
     parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
         sweep_columns(open, out, first, last);
     });
-    parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
-        RowEnvelope envelope(width);
-        for (std::size_t y = first; y < last; ++y) {
-            envelope.transform(&out.values[y * width], width, static_cast<float>(resolution_m));
-        }
-    });
+    constexpr std::int32_t kMaxSide = 16000;
+    if (open.width < kMaxSide && open.height < kMaxSide) {
+        transform_rows<std::int32_t>(out, resolution_m, executor);
+    } else {
+        transform_rows<std::int64_t>(out, resolution_m, executor);
+    }
     return out;
 }
 

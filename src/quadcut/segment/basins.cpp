@@ -83,6 +83,9 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
     return result;
 }
 
+/// While ways are still followed, a cell holds the offset to which it leads; then its label.
+constexpr std::uint32_t kIsLabel = std::uint32_t{1} << 31U;
+
 /// Finds for each cell the neighbour to which it goes up most steeply, row by row.
 class Ascent {
 public:
@@ -98,7 +101,8 @@ public:
     }
 
     /// The offset of that neighbour for the cells of row y, or of the cell itself where all are
-    /// lower. Rows are asked for one after the other, from the second on if there is one before.
+    /// lower; kIsLabel where there is no clearance. Rows are asked for one after the other, from
+    /// the second on if there is one before.
     void find(std::int64_t y, std::uint32_t* uphill) {
         if (y + 1 < height_.last) level(y + 1);
         // Rows outside have no level; their heights play no part.
@@ -123,7 +127,8 @@ public:
                 steepest = is_steeper ? slope : steepest;
                 ahead = is_steeper ? step.dy * width + step.dx : ahead;
             }
-            uphill[x] = row + static_cast<std::uint32_t>(x + ahead);
+            const std::uint32_t way = row + static_cast<std::uint32_t>(x + ahead);
+            uphill[x] = levels[1][x] < 0 ? kIsLabel : way;
         }
     }
     /// Heights of a row in steps of 1/64 of a cell, from column 0 on; -1 where there is no
@@ -158,8 +163,9 @@ private:
         const float* const clearance =
             clearance_.values.data() + y * static_cast<std::int64_t>(width_);
         for (std::size_t x = 0; x < width_; ++x) {
-            const auto steps = static_cast<std::int32_t>(height[x] * scale_);
-            out[x] = clearance[x] > 0.0F ? steps : -1;
+            // Without a branch, so that several cells are done at a time.
+            const std::int32_t is_closed = clearance[x] > 0.0F ? 0 : -1;
+            out[x] = static_cast<std::int32_t>(height[x] * scale_) | is_closed;
         }
     }
 
@@ -177,9 +183,6 @@ struct Peak {
     std::uint32_t offset = 0;
 };
 
-/// While ways are still followed, a cell holds the offset to which it leads; then its label.
-constexpr std::uint32_t kIsLabel = std::uint32_t{1} << 31U;
-
 std::vector<Peak> find_ways_up(const Raster<float>& clearance, double resolution_m,
                                const Executor& executor, std::vector<std::uint32_t>& ways) {
     const std::vector<float> kernel = gaussian_kernel(kSmoothingM / resolution_m);
@@ -196,13 +199,9 @@ std::vector<Peak> find_ways_up(const Raster<float>& clearance, double resolution
         for (std::int64_t y = begin; y < end; ++y) {
             const auto row = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width);
             ascent.find(y, &ways[row]);
-            const std::int32_t* const levels = ascent.levels_of(y);
             for (std::uint32_t x = 0; x < width; ++x) {
-                if (levels[x] < 0) {
-                    ways[row + x] = kIsLabel;
-                } else if (ways[row + x] == row + x) {
-                    found[first / kRowsPerChunk].push_back({levels[x], row + x});
-                }
+                if (ways[row + x] != row + x) continue;
+                found[first / kRowsPerChunk].push_back({ascent.levels_of(y)[x], row + x});
             }
         }
         // Up to the last cell of the own rows, so that no way is gone all along again and again.

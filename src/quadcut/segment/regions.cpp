@@ -98,8 +98,10 @@ OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
                                  const std::vector<std::size_t>& pocket, std::size_t max_steps) {
     OutlineWalk walk;
     std::vector<std::size_t> front;
+    // A pocket does not touch the edge of the raster.
+    const auto width = static_cast<std::size_t>(labels.width);
     for (const std::size_t cell : pocket) {
-        for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
+        for (const std::size_t next : {cell - 1, cell + 1, cell - width, cell + width}) {
             if (free.values[next] != 0 || labels.values[next] != 0) continue;
             if (walk.reached_from.emplace(next, cell).second) front.push_back(next);
         }
