@@ -27,11 +27,15 @@ Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels,
     parallel_for(executor, height - 2, kRowsPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t y = first + 1; y < last + 1; ++y) {
             const std::uint32_t* const own = &labels.values[y * width];
+            const std::uint32_t* const below = own - width;
+            const std::uint32_t* const above = own + width;
+            std::uint8_t* const inside = &interior.values[y * width];
             for (std::size_t x = 1; x + 1 < width; ++x) {
-                const std::uint32_t* const at = own + x;
-                const bool is_inside = (at[0] != 0) & (at[-1] == at[0]) & (at[1] == at[0]) &
-                                       (*(at - width) == at[0]) & (at[width] == at[0]);
-                interior.values[y * width + x] = is_inside ? 1 : 0;
+                const std::uint32_t label = own[x];
+                const std::uint32_t differs = (own[x - 1] ^ label) | (own[x + 1] ^ label) |
+                                              (below[x] ^ label) | (above[x] ^ label);
+                const bool is_inside = (differs == 0) & (label != 0);
+                inside[x] = static_cast<std::uint8_t>(is_inside);
             }
         }
     });

@@ -16,7 +16,7 @@
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kOpeningsPerChunk = 16;
+constexpr std::size_t kOpeningsPerChunk = 4;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 

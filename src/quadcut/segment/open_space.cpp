@@ -21,7 +21,7 @@ constexpr int kNumDirections = 36;
 /// Cells of an obstacle are tried about so far apart, and at most so many.
 constexpr double kBetweenTriedM = 0.1;
 constexpr std::size_t kMaxTried = 12;
-constexpr std::size_t kObstaclesPerChunk = 16;
+constexpr std::size_t kObstaclesPerChunk = 4;
 /// Doors beside a pier are at most this wide.
 constexpr double kMaxGapM = 1.6;
 /// A flaw of the map leaves a gap of at most this; to one side is enough.

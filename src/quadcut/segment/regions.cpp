@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -87,40 +86,53 @@ void drop(Raster<std::uint32_t>& labels, std::size_t num_labels, const Executor&
 /// Walks from the pocket through what is neither free nor labelled, up to `max_steps` cells, to
 /// rooms; counts the ways by room, and remembers where each cell was reached from.
 struct OutlineWalk {
+    /// A cell of the outline, and the place in `reached` of the one before it; its own in the
+    /// first.
+    struct Reached {
+        std::size_t cell = 0;
+        std::size_t from = 0;
+    };
     std::map<std::uint32_t, std::size_t> ways;
-    std::unordered_map<std::size_t, std::size_t> reached_from;
+    std::vector<Reached> reached;
+    /// Rooms, and the place in `reached` of the cell beside them.
     std::vector<std::pair<std::uint32_t, std::size_t>> arrivals;
     std::size_t num_starts = 0;
 };
 
-OutlineWalk walk_through_outline(const Raster<std::uint32_t>& labels,
-                                 const Raster<std::uint8_t>& free,
+/// The labels are as before when it returns.
+OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
                                  const std::vector<std::size_t>& pocket, std::size_t max_steps) {
+    constexpr auto kReached = static_cast<std::uint32_t>(-1);
     OutlineWalk walk;
-    std::vector<std::size_t> front;
     // A pocket does not touch the edge of the raster.
     const auto width = static_cast<std::size_t>(labels.width);
     for (const std::size_t cell : pocket) {
         for (const std::size_t next : {cell - 1, cell + 1, cell - width, cell + width}) {
             if (free.values[next] != 0 || labels.values[next] != 0) continue;
-            if (walk.reached_from.emplace(next, cell).second) front.push_back(next);
+            labels.values[next] = kReached;
+            walk.reached.push_back({next, walk.reached.size()});
         }
     }
-    walk.num_starts = front.size();
+    walk.num_starts = walk.reached.size();
+    std::size_t first = 0;
     for (std::size_t step = 0; step < max_steps; ++step) {
-        std::vector<std::size_t> next_front;
-        for (const std::size_t cell : front) {
+        const std::size_t last = walk.reached.size();
+        for (; first < last; ++first) {
+            const std::size_t cell = walk.reached[first].cell;
             for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
-                if (labels.values[next] != 0) {
-                    ++walk.ways[labels.values[next]];
-                    walk.arrivals.emplace_back(labels.values[next], cell);
-                } else if (free.values[next] == 0 && walk.reached_from.emplace(next, cell).second) {
-                    next_front.push_back(next);
+                const std::uint32_t label = labels.values[next];
+                if (label == kReached) continue;
+                if (label != 0) {
+                    ++walk.ways[label];
+                    walk.arrivals.emplace_back(label, first);
+                } else if (free.values[next] == 0) {
+                    labels.values[next] = kReached;
+                    walk.reached.push_back({next, first});
                 }
             }
         }
-        front.swap(next_front);
     }
+    for (const OutlineWalk::Reached& reached : walk.reached) labels.values[reached.cell] = 0;
     return walk;
 }
 
@@ -218,9 +230,10 @@ void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_
             std::uint32_t label) {
     for (const auto& [reached, arrival] : walk.arrivals) {
         if (room != 0 && reached != room) continue;
-        for (std::size_t cell = arrival; labels.values[cell] == 0;
-             cell = walk.reached_from.at(cell)) {
-            labels.values[cell] = label;
+        for (std::size_t at = arrival;; at = walk.reached[at].from) {
+            std::uint32_t& own = labels.values[walk.reached[at].cell];
+            if (own != 0) break;
+            own = label;
         }
     }
 }
