@@ -295,6 +295,50 @@ def updates(files: dict, old: str) -> str | None:
                    "bytes a known m²"], lines) + source(files["updates"]))
 
 
+def overhead(files: dict, old: str) -> str | None:
+    del old
+    if "overhead" not in files:
+        return None
+    rows = files["overhead"]["rows"]
+    maps = [row for row in rows if "cells" in row]
+    lines = [[row["input"], f"{1e-6 * row['cells']:.2f}", f"{row['processing_ms']:.1f}",
+              f"{row['read_ms']:.1f}", f"{row['write_ms']:.1f}", f"{row['wall_ms']:.1f}",
+              f"{row['ratio']:.2f}", f"{row['median_ratio']:.2f}",
+              f"{row['peak_bytes'] / 2**20:.1f}"] for row in maps]
+    start = next(row for row in rows if row["input"] == "version")
+    return (table(["map", "megacells", "processing ms", "read ms", "write ms", "whole process ms",
+                   "ratio", "median ratio", "peak MiB"], lines)
+            + f"\n`quadcut version` takes {start['version_ms']:.2f} ms, `/bin/true` "
+              f"{start['true_ms']:.2f}: {start['ratio']:.1f} times.\n" + source(files["overhead"]))
+
+
+def peers(files: dict, old: str) -> str | None:
+    del old
+    if "peers" not in files:
+        return None
+    rows = files["peers"]["rows"]
+
+    def of(kind: str) -> list[dict]:
+        return [row for row in rows if row["measured"] == kind]
+
+    def seconds(row: dict, key: str) -> str:
+        return f"{row[key]:.3f}" if key in row else row.get("failure", DASH)
+    cuts = [[row["graph"], row["solver"], seconds(row, "wall_s"), seconds(row, "cpu_s"),
+             f"{row['normalised_cut']:.4f}"] for row in of("cut")]
+    pairs = [[row["graph"], row["solver"], seconds(row, "wall_s"), seconds(row, "cpu_s"),
+              f"{row['largest_residual']:.0e}" if row.get("largest_residual") else DASH]
+             for row in of("eigenpairs")]
+    products = [[row["graph"], str(row["threads"]), f"{row['product_ms']:.2f}",
+                 f"{1e-6 * row['product_bytes'] / row['product_ms']:.1f}",
+                 f"{1e-9 * row['read_bytes_per_s']:.1f}",
+                 f"{100 * row['product_bytes'] / (1e-3 * row['product_ms']) / row['read_bytes_per_s']:.0f} %"]
+                for row in of("product")]
+    return (table(["cut into 256", "by", "wall s", "CPU s", "normalised cut"], cuts) + "\n"
+            + table(["16 eigenpairs", "by", "wall s", "CPU s", "residual"], pairs) + "\n"
+            + table(["sparse product", "threads", "ms", "GB/s", "GB/s of a sum", "share"], products)
+            + source(files["peers"]))
+
+
 def bold_if(is_short: bool, text: str) -> str:
     return f"**{text}**" if is_short else text
 
@@ -339,7 +383,7 @@ def follow(files: dict, old: str) -> str | None:
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
-          "updates": updates, "follow": follow}
+          "updates": updates, "overhead": overhead, "peers": peers, "follow": follow}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

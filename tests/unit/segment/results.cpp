@@ -152,8 +152,8 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     clear(83, 20, 87, 36);
     clear(83, 90, 87, 114);
     const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), 0.05);
-    const std::vector<Door> doors = find_doors(
-        labels, 2, clearance, {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
+    const std::vector<Door> doors =
+        find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
     ASSERT_EQ(doors.size(), 2U);
     EXPECT_NEAR(doors[0].width_m, 0.8, 0.06);
     EXPECT_NEAR(doors[1].width_m, 1.2, 0.06);
@@ -166,7 +166,8 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     }
     EXPECT_NEAR(std::min(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.0, 0.05);
     EXPECT_NEAR(std::max(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.8, 0.05);
-    EXPECT_EQ(find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(), 1U)
+    EXPECT_EQ(find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(),
+              1U)
         << "the narrow one is out";
 }
 
@@ -222,7 +223,8 @@ TEST(Describe, KindsFollowShapeAndDoors) {
     Door door;
     door.a = RoomId{1};
     door.b = RoomId{2};
-    const std::vector<Room> rooms = describe_rooms(labels, 3, map, as_it_lies(labels.box()), {door, door});
+    const std::vector<Room> rooms =
+        describe_rooms(labels, 3, map, as_it_lies(labels.box()), {door, door});
     EXPECT_EQ(rooms[0].kind, RoomKind::corridor);
     EXPECT_EQ(rooms[1].kind, RoomKind::hall);
     EXPECT_EQ(rooms[2].kind, RoomKind::room);
