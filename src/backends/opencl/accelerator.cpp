@@ -59,7 +59,10 @@ bool OpenClAccelerator::multiply(const MatrixRows& matrix, std::span<const doubl
     });
 }
 
-Traffic OpenClAccelerator::traffic() const { return ready_ ? ready_->sight.traffic() : Traffic{}; }
+Traffic OpenClAccelerator::traffic() const {
+    const std::lock_guard lock(mutex_);
+    return ready_ ? ready_->sight.traffic() : Traffic{};
+}
 
 template <typename Body>
 bool OpenClAccelerator::run(const StageWork& work, double cpu_s, const Body& body) {

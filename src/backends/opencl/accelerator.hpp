@@ -65,7 +65,7 @@ private:
 
     AcceleratorOptions options_;
     DeviceNote note_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     bool has_failed_ = false;
     std::unique_ptr<Ready> ready_;
     std::set<std::string> noted_;

@@ -18,16 +18,16 @@ namespace {
 
 /// More threads than cores are allowed; without this TBB says on stderr that they are not.
 void allow_threads(int num_threads) {
+    constexpr auto kAllowed = tbb::global_control::max_allowed_parallelism;
     static std::mutex mutex;
-    static int allowed = 0;
     static std::optional<tbb::global_control> control;
     const std::lock_guard lock(mutex);
-    if (num_threads <= allowed) return;
+    const auto wanted = static_cast<std::size_t>(num_threads);
+    // Never fewer than there would be: other users of TBB in the process have their threads, too.
+    if (wanted <= tbb::global_control::active_value(kAllowed)) return;
     // The least of several controls would hold.
     control.reset();
-    allowed = num_threads;
-    control.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(num_threads));
+    control.emplace(kAllowed, wanted);
 }
 
 /// An arena for so many threads, kept by the calling thread: a new one costs 10 us at first, and

@@ -90,7 +90,7 @@ void stop_at_walls(std::vector<Beam>& beams, const OccupancyMap& map, const Poin
 bool is_near(Cell tile, const Point& sensor, double range) {
     const double x = (tile.x + 0.5) * kTileSide - sensor.x;
     const double y = (tile.y + 0.5) * kTileSide - sensor.y;
-    return x * x + y * y < range * range;
+    return range > 0.0 && x * x + y * y < range * range;
 }
 
 // Around the lower left cells of the tiles.
@@ -131,7 +131,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
             const std::uint64_t hit = cells.hit.tile_rows(x, y);
             std::uint64_t miss = cells.free.tile_rows(x, y) & ~hit;
             if (miss != 0 && !map.is_uniform_tile(tile) && !is_near(tile, sensor, trusted_range)) {
-                miss &= ~rows_at_least(map.tile(tile), options.sure);
+                miss &= ~rows_at_least(map.tile(tile), std::max(1, options.sure));
             }
             if ((miss | hit) != 0) {
                 evidence.push_back({tile, miss, hit});

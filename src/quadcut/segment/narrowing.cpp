@@ -49,7 +49,7 @@ struct WalkedPlaces {
     void note(std::size_t i, const Direction& along, double step_m, SideOfSaddle& side) const {
         side.peak_m[i] = static_cast<double>(peak_m);
         if (i == 0) return;
-        const auto num = static_cast<double>(count);
+        const auto num = static_cast<double>(std::max<std::int64_t>(1, count));
         const double sum_squares = along.x * along.x * static_cast<double>(sum_xx) +
                                    2.0 * along.x * along.y * static_cast<double>(sum_xy) +
                                    along.y * along.y * static_cast<double>(sum_yy);
@@ -214,6 +214,8 @@ NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resoluti
 WalkedSide NarrowingGauge::walk_outward(Cell seed, const Direction& along,
                                         const RegionsView& regions) {
     WalkedSide walked;
+    // A cell that no longer belongs to a region has nothing behind it.
+    if (regions.region_at(clearance_.offset(seed)) == 0) return walked;
     Walk(*this, seed, regions, walked).go(along);
     return walked;
 }

@@ -31,7 +31,8 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
 }
 
 /// `cut.rooms`, which holds the pieces at first, is what `regions` look at all the time: a region
-/// has the number of one of its pieces.
+/// has the number of one of its pieces. What is measured after regions were connected and pockets
+/// adopted sees them so; what was measured before, and no join came near, is kept.
 void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
