@@ -12,6 +12,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/connected_parts.hpp"
+#include "quadcut/map/flood.hpp"
 #include "quadcut/map/line_walk.hpp"
 
 namespace quadcut {
@@ -153,10 +154,15 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     for (std::uint32_t part = 1; part <= parts.count; ++part) {
         if (static_cast<double>(num_cells[part]) >= max_cells) is_small[part] = false;
     }
+    // Cells from the first one outward: of these some are tried as parts of a wall.
     Obstacles small;
-    for (auto& cells : parts.cells_of(is_small)) {
-        if (!cells.empty()) small.push_back(std::move(cells));
-    }
+    std::vector<bool> seen(free.values.size(), false);
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!is_small[run.part]) return;
+        is_small[run.part] = false;
+        small.push_back(flood(free, first, seen, Connectivity::eight,
+                              [&](std::size_t cell) { return free.values[cell] == 0; }));
+    });
     return small;
 }
 
