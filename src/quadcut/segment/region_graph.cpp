@@ -18,7 +18,6 @@ namespace {
 constexpr float kFitsM = 0.25F;
 /// What is smaller is not somewhere to go to.
 constexpr double kPlaceM2 = 2.0;
-constexpr std::size_t kMaxGauges = 64;
 
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
@@ -189,8 +188,10 @@ void RegionGraph::collect_unmeasured(std::uint32_t region, double max_width_m, b
 }
 
 void RegionGraph::measure(std::span<const Unmeasured> saddles, const Executor& executor) {
-    // A gauge for each part of the work, which are as many as threads, or a few times that.
-    const std::size_t num_parts = std::min(saddles.size(), kMaxGauges);
+    // A gauge for each thread; saddles are taken one by one, since some need far longer than
+    // others.
+    const std::size_t num_parts =
+        std::min(saddles.size(), static_cast<std::size_t>(std::max(1, executor.num_threads)));
     while (gauges_.size() < num_parts) gauges_.emplace_back(clearance_, resolution_m_);
     std::atomic<std::size_t> next = 0;
     parallel_for(executor, num_parts, 1, [&](std::size_t part, std::size_t) {

@@ -30,9 +30,9 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
     return result;
 }
 
-/// `cut.rooms`, which holds the pieces at first, is what `regions` look at all the time: a region
-/// has the number of one of its pieces. What is measured after regions were connected and pockets
-/// adopted sees them so; what was measured before, and no join came near, is kept.
+/// `cut.rooms` holds the pieces at first. Of a window, `regions` look at the pieces as they were,
+/// so that ids stay; of a whole map at `cut.rooms` itself, where a region has the number of one of
+/// its pieces: what is measured after regions were connected and pockets adopted sees them so.
 void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
@@ -73,7 +73,9 @@ RoomsCut cut_into_rooms(FloorToCut floor, const SegmentOptions& options, StageCl
     cut.num_pieces = pieces.count;
     if (floor.add_beyond) cut.pieces = cut.rooms;
     clock.begin("graph");
-    RegionGraph regions(cut.rooms, cut.num_pieces, cut.clearance_m, floor.resolution_m, executor);
+    // A whole map may be so large that there is no room for both.
+    RegionGraph regions(floor.add_beyond ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
+                        floor.resolution_m, executor);
     if (options.rooms.pieces == PieceSource::basins) {
         report.num_leaves = cut.num_pieces;
         report.num_edges = regions.num_saddles();
