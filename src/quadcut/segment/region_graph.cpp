@@ -188,8 +188,7 @@ void RegionGraph::collect_unmeasured(std::uint32_t region, double max_width_m, b
 }
 
 void RegionGraph::measure(std::span<const Unmeasured> saddles, const Executor& executor) {
-    // A gauge for each thread; saddles are taken one by one, since some need far longer than
-    // others.
+    // A gauge for each thread. Some saddles need far longer than others: one is taken at a time.
     const std::size_t num_parts =
         std::min(saddles.size(), static_cast<std::size_t>(std::max(1, executor.num_threads)));
     while (gauges_.size() < num_parts) gauges_.emplace_back(clearance_, resolution_m_);
