@@ -98,9 +98,8 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
         extent_[piece].peak_m = static_cast<double>(extents[piece].peak_m);
     }
     for (const auto& [pair, saddle] : saddles) {
-        const auto [a, b] = pair;
-        saddles_[a].emplace(b, saddle);
-        saddles_[b].emplace(a, turned(saddle));
+        saddles_[pair.first].emplace(pair.second, saddle);
+        saddles_[pair.second].emplace(pair.first, turned(saddle));
     }
 }
 
