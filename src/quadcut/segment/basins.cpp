@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/wide_vectors.hpp"
 
 namespace quadcut {
 namespace {
@@ -52,6 +53,11 @@ struct Rows {
     }
 };
 
+QUADCUT_WIDE_VECTORS void add_weighted(float* out, const float* row, float weight,
+                                       std::int64_t count) {
+    for (std::int64_t x = 0; x < count; ++x) out[x] += weight * row[x];
+}
+
 /// Separable smoothing of some rows; the outside counts as 0, as it has no clearance.
 Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int64_t first,
             std::int64_t last) {
@@ -64,10 +70,8 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
         float* const out = across.row(y);
         for (std::int64_t k = -radius; k <= radius; ++k) {
             const float weight = kernel[static_cast<std::size_t>(k + radius)];
-            const std::int64_t end = std::min(width, width - k);
-            for (std::int64_t x = std::max<std::int64_t>(0, -k); x < end; ++x) {
-                out[x] += weight * row[x + k];
-            }
+            const std::int64_t begin = std::max<std::int64_t>(0, -k);
+            add_weighted(out + begin, row + begin + k, weight, std::min(width, width - k) - begin);
         }
     }
     Rows result(first, last, static_cast<std::size_t>(width));
@@ -75,9 +79,8 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
         float* const out = result.row(y);
         for (std::int64_t k = -radius; k <= radius; ++k) {
             if (y + k < across.first || y + k >= across.last) continue;
-            const float weight = kernel[static_cast<std::size_t>(k + radius)];
-            const float* const row = across.row(y + k);
-            for (std::int64_t x = 0; x < width; ++x) out[x] += weight * row[x];
+            add_weighted(out, across.row(y + k), kernel[static_cast<std::size_t>(k + radius)],
+                         width);
         }
     }
     return result;
@@ -85,6 +88,48 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
 
 /// While ways are still followed, a cell holds the offset to which it leads; then its label.
 constexpr std::uint32_t kIsLabel = std::uint32_t{1} << 31U;
+
+/// To a neighbour, which is higher from so many levels more on: of cells of one level the one that
+/// comes first is the higher.
+struct Step {
+    std::int32_t dx, dy;
+    float inverse_length;
+    std::int32_t more;
+};
+constexpr float kDiagonal = 0.70710678F;
+constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F, 1},
+                                      {-1, 0, 1.0F, 0},
+                                      {0, 1, 1.0F, 1},
+                                      {0, -1, 1.0F, 0},
+                                      {1, 1, kDiagonal, 1},
+                                      {-1, 1, kDiagonal, 1},
+                                      {1, -1, kDiagonal, 0},
+                                      {-1, -1, kDiagonal, 0}}};
+
+/// Heights and levels of a row and of those below and above, from column 0 on.
+struct ThreeRows {
+    std::array<const float*, 3> heights;
+    std::array<const std::int32_t*, 3> levels;
+};
+
+/// By cell of the row in the middle, the steepest step up; 0 where all around are lower.
+QUADCUT_WIDE_VECTORS void steepest_steps(const ThreeRows& rows, std::int32_t width, std::int32_t* ahead_of) {
+    const auto [heights, levels] = rows;
+    for (std::int32_t x = 0; x < width; ++x) {
+        float steepest = -1e30F;
+        std::int32_t ahead = 0;
+        // The loop over the steps is unrolled, the one over cells done several at a time.
+        for (const Step& step : kSteps) {
+            const auto at = static_cast<std::size_t>(step.dy + 1);
+            const float slope = (heights[at][x + step.dx] - heights[1][x]) * step.inverse_length;
+            const bool is_higher = levels[at][x + step.dx] >= levels[1][x] + step.more;
+            const bool is_steeper = is_higher & (slope > steepest);
+            steepest = is_steeper ? slope : steepest;
+            ahead = is_steeper ? step.dy * width + step.dx : ahead;
+        }
+        ahead_of[x] = ahead;
+    }
+}
 
 /// Finds for each cell the neighbour to which it goes up most steeply, row by row.
 class Ascent {
@@ -94,7 +139,8 @@ public:
           height_(height),
           width_(height.stride - 2),
           scale_(static_cast<float>(64.0 / resolution_m)),
-          outside_(height.stride, -1) {
+          outside_(height.stride, -1),
+          ahead_(height.stride, 0) {
         for (std::vector<std::int32_t>& levels : levels_) levels.resize(height.stride, -1);
         if (height.first < height.last) level(height.first);
         if (height.first + 1 < height.last) level(height.first + 1);
@@ -114,20 +160,9 @@ public:
                                                         levels_of(y + 1)};
         const auto width = static_cast<std::int32_t>(width_);
         const auto row = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width_);
+        steepest_steps({heights, levels}, width, ahead_.data());
         for (std::int32_t x = 0; x < width; ++x) {
-            float steepest = -1e30F;
-            std::int32_t ahead = 0;
-            // The loop over the steps is unrolled, the one over cells done several at a time.
-            for (const Step& step : kSteps) {
-                const auto at = static_cast<std::size_t>(step.dy + 1);
-                const float slope =
-                    (heights[at][x + step.dx] - heights[1][x]) * step.inverse_length;
-                const bool is_higher = levels[at][x + step.dx] >= levels[1][x] + step.more;
-                const bool is_steeper = is_higher & (slope > steepest);
-                steepest = is_steeper ? slope : steepest;
-                ahead = is_steeper ? step.dy * width + step.dx : ahead;
-            }
-            const std::uint32_t way = row + static_cast<std::uint32_t>(x + ahead);
+            const std::uint32_t way = row + static_cast<std::uint32_t>(x + ahead_[x]);
             uphill[x] = levels[1][x] < 0 ? kIsLabel : way;
         }
     }
@@ -140,23 +175,6 @@ public:
     }
 
 private:
-    /// To a neighbour, which is higher from so many levels more on: of cells of one level the one
-    /// that comes first is the higher.
-    struct Step {
-        std::int32_t dx, dy;
-        float inverse_length;
-        std::int32_t more;
-    };
-    static constexpr float kDiagonal = 0.70710678F;
-    static constexpr std::array<Step, 8> kSteps{{{1, 0, 1.0F, 1},
-                                                 {-1, 0, 1.0F, 0},
-                                                 {0, 1, 1.0F, 1},
-                                                 {0, -1, 1.0F, 0},
-                                                 {1, 1, kDiagonal, 1},
-                                                 {-1, 1, kDiagonal, 1},
-                                                 {1, -1, kDiagonal, 0},
-                                                 {-1, -1, kDiagonal, 0}}};
-
     void level(std::int64_t y) {
         std::int32_t* const out = levels_[static_cast<std::size_t>(y) % levels_.size()].data() + 1;
         const float* const height = height_.row(y);
@@ -175,6 +193,7 @@ private:
     float scale_;
     std::array<std::vector<std::int32_t>, 3> levels_;
     std::vector<std::int32_t> outside_;
+    std::vector<std::int32_t> ahead_;
 };
 
 /// Where nothing goes up.

@@ -47,7 +47,8 @@ public:
           face_(kFaceM / resolution_m) {
         for (int k = 0; k < kNumDirections; ++k) {
             const double angle = std::numbers::pi * k / kNumDirections;
-            directions_.push_back({std::cos(angle), std::sin(angle)});
+            const Point along{std::cos(angle), std::sin(angle)};
+            directions_.push_back({way_along(along), way_along({-along.x, -along.y})});
         }
     }
 
@@ -65,13 +66,12 @@ public:
         const std::size_t stride = std::max<std::size_t>(1, obstacle.size() / num_tried);
         for (std::size_t i = stride / 2; i < obstacle.size(); i += stride) {
             const Cell cell = free_.cell(obstacle[i]);
-            const Point middle{cell.x + 0.5, cell.y + 0.5};
-            for (const Point& along : directions_) {
-                const double ahead = gap_to_wall(middle, along, max_gap_);
+            for (const auto& [forward, back] : directions_) {
+                const double ahead = gap_to_wall(cell, forward, max_gap_);
                 const double behind =
-                    gap_to_wall(middle, {-along.x, -along.y}, std::isinf(ahead) ? flaw_ : max_gap_);
+                    gap_to_wall(cell, back, std::isinf(ahead) ? flaw_ : max_gap_);
                 if (std::max(ahead, behind) <= max_gap_) return true;
-                if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(middle, along)) {
+                if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(cell, forward.along)) {
                     return true;
                 }
             }
@@ -80,23 +80,38 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_free(const Point& at) const {
-        const Cell cell = cell_of(at);
+    /// In one direction out of the middle of a cell: the cells a step apart.
+    struct Way {
+        Point along;
+        std::vector<Cell> steps;
+    };
+
+    /// As far as any question goes: through an obstacle, over a gap and along a wall.
+    [[nodiscard]] Way way_along(const Point& along) const {
+        Way way{along, {}};
+        for (double t = 0.0; t < 2.0 * max_gap_ + min_wall_ + 3.0; t += 1.0) {
+            way.steps.push_back(cell_of({0.5 + t * along.x, 0.5 + t * along.y}));
+        }
+        return way;
+    }
+    [[nodiscard]] bool is_free(Cell cell) const {
         return free_.contains(cell) && free_.at(cell) != 0;
     }
+    [[nodiscard]] bool is_free_at(const Point& at) const { return is_free(cell_of(at)); }
     [[nodiscard]] bool has_face(const Point& at, const Point& side) const {
         for (double t = 1.0; t <= face_; t += 1.0) {
-            if (is_free({at.x + t * side.x, at.y + t * side.y})) return true;
+            if (is_free_at({at.x + t * side.x, at.y + t * side.y})) return true;
         }
         return false;
     }
     /// Whether the obstacle is long along a line through it, and thin everywhere on it.
-    [[nodiscard]] bool is_piece_of_wall(const Point& middle, const Point& along) const {
+    [[nodiscard]] bool is_piece_of_wall(Cell cell, const Point& along) const {
+        const Point middle{cell.x + 0.5, cell.y + 0.5};
         double length = -1.0;
         for (const double sign : {1.0, -1.0}) {
             for (double t = 0.0; t <= max_gap_; t += 1.0, length += 1.0) {
                 const Point at{middle.x + sign * t * along.x, middle.y + sign * t * along.y};
-                if (is_free(at)) break;
+                if (is_free_at(at)) break;
                 if (!has_face(at, {-along.y, along.x}) || !has_face(at, {along.y, -along.x})) {
                     return false;
                 }
@@ -106,23 +121,27 @@ private:
     }
     /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
     /// length of the gap; infinite when there is no such wall within `max_gap`.
-    [[nodiscard]] double gap_to_wall(const Point& from, const Point& along, double max_gap) const {
+    [[nodiscard]] double gap_to_wall(Cell from, const Way& way, double max_gap) const {
         constexpr double kNone = std::numeric_limits<double>::infinity();
-        const auto at = [&](double t) { return Point{from.x + t * along.x, from.y + t * along.y}; };
-        double t = 0.0;
-        while (!is_free(at(t))) {
-            if (t > max_gap_) return kNone;
-            t += 1.0;
+        const Cell* step = way.steps.data();
+        const auto is_free_here = [&] { return is_free({from.x + step->x, from.y + step->y}); };
+        const auto steps_since = [&](const Cell* start) {
+            return static_cast<double>(step - start);
+        };
+        for (; !is_free_here(); ++step) {
+            if (steps_since(way.steps.data()) > max_gap_) return kNone;
         }
-        const double edge = t;
-        while (is_free(at(t))) {
-            if (t - edge > max_gap) return kNone;
-            t += 1.0;
+        const Cell* const edge = step;
+        for (; is_free_here(); ++step) {
+            if (steps_since(edge) > max_gap) return kNone;
         }
-        const double gap = t - edge;
-        for (const double end = t + min_wall_; t < end; t += 1.0) {
-            if (is_free(at(t)) || !has_face(at(t), {-along.y, along.x}) ||
-                !has_face(at(t), {along.y, -along.x})) {
+        const double gap = steps_since(edge);
+        const Point& along = way.along;
+        for (const Cell* const wall = step; steps_since(wall) < min_wall_; ++step) {
+            const double t = steps_since(way.steps.data());
+            const Point at{from.x + 0.5 + t * along.x, from.y + 0.5 + t * along.y};
+            if (is_free_here() || !has_face(at, {-along.y, along.x}) ||
+                !has_face(at, {along.y, -along.x})) {
                 return kNone;
             }
         }
@@ -130,7 +149,8 @@ private:
     }
 
     const Raster<std::uint8_t>& free_;
-    std::vector<Point> directions_;
+    /// There and back.
+    std::vector<std::pair<Way, Way>> directions_;
     double between_tried_;
     double flaw_;
     double max_gap_;
