@@ -67,12 +67,16 @@ public:
         : gauge_(gauge),
           clearance_(gauge.clearance_),
           seed_(seed),
+          seed_offset_(clearance_.offset(seed)),
           regions_(regions),
-          region_(regions.region_at(clearance_.offset(seed))),
+          region_(regions.region_at(seed_offset_)),
           walked_(walked) {
         const auto up = static_cast<std::int32_t>(1U << gauge.row_bits_);
         // East, north, west, south; then what lies between each and the next.
         steps_ = {1, up, -1, -up, up + 1, up - 1, -up - 1, -up + 1};
+        const std::int32_t reach = gauge.radius_ * gauge.stride_cells_;
+        is_all_inside_ = clearance_.contains({seed.x - reach, seed.y - reach}) &&
+                         clearance_.contains({seed.x + reach, seed.y + reach});
     }
 
     /// Nearest places first (Dial's buckets).
@@ -120,18 +124,23 @@ private:
     [[nodiscard]] std::int32_t y_of(unsigned place) const {
         return static_cast<std::int32_t>(place >> gauge_.row_bits_) - gauge_.radius_;
     }
-    [[nodiscard]] Cell cell_at(unsigned place) const {
-        return {seed_.x + x_of(place) * gauge_.stride_cells_,
-                seed_.y + y_of(place) * gauge_.stride_cells_};
+    [[nodiscard]] bool is_inside(unsigned place) const {
+        return is_all_inside_ ||
+               clearance_.contains({seed_.x + x_of(place) * gauge_.stride_cells_,
+                                    seed_.y + y_of(place) * gauge_.stride_cells_});
+    }
+    /// In the raster. @pre is_inside(place).
+    [[nodiscard]] std::size_t offset_at(unsigned place) const {
+        const std::int64_t cells = x_of(place) + std::int64_t{y_of(place)} * clearance_.width;
+        return seed_offset_ + static_cast<std::size_t>(cells * gauge_.stride_cells_);
     }
 
     /// The first look at a place: whether it lies in the region.
     std::uint16_t look_at(unsigned place) {
         lowest_ = std::min(lowest_, place);
         highest_ = std::max(highest_, place);
-        const Cell cell = cell_at(place);
-        if (!clearance_.contains(cell)) return kBlocked;
-        const std::uint32_t own = regions_.region_at(clearance_.offset(cell));
+        if (!is_inside(place)) return kBlocked;
+        const std::uint32_t own = regions_.region_at(offset_at(place));
         if (own == region_) return kUnreached;
         if (own != 0 && (walked_.met.empty() || walked_.met.back() != own)) {
             walked_.met.push_back(own);
@@ -152,7 +161,7 @@ private:
             {static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(way)});
     }
     void visit(unsigned place) {
-        places_.add(clearance_.at(cell_at(place)), x_of(place), y_of(place));
+        places_.add(clearance_.values[offset_at(place)], x_of(place), y_of(place));
     }
     /// On to the neighbours that cannot be reached as soon from the place before, unless it is
     /// around something blocked (Harabor and Grastien, "Online graph pruning for pathfinding on
@@ -186,6 +195,8 @@ private:
     NarrowingGauge& gauge_;
     const Raster<float>& clearance_;
     Cell seed_;
+    std::size_t seed_offset_;
+    bool is_all_inside_ = false;
     const RegionsView& regions_;
     std::uint32_t region_;
     WalkedSide& walked_;
