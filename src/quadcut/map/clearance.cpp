@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace quadcut {
@@ -126,8 +127,12 @@ void transform_rows(Raster<float>& out, double resolution_m, const Executor& exe
 }  // namespace
 
 Raster<float> clearance_m(const Raster<std::uint8_t>& open, double resolution_m,
-                          const Executor& executor) {
-    Raster<float> out(open.origin, open.width, open.height);
+                          const Executor& executor, Raster<float> memory) {
+    Raster<float> out = std::move(memory);
+    out.origin = open.origin;
+    out.width = open.width;
+    out.height = open.height;
+    out.values.resize(open.values.size());
     const auto width = static_cast<std::size_t>(open.width);
     parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {
         sweep_columns(open, out, first, last);

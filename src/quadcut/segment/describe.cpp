@@ -53,9 +53,9 @@ struct Shape {
 
 std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                   const GridMap& map, const Layout& layout,
-                                  const Executor& executor) {
-    const Raster<float> depth =
-        clearance_m(interior_of_regions(labels, executor), map.resolution_m, executor);
+                                  const Executor& executor, Raster<float> memory) {
+    const Raster<float> depth = clearance_m(interior_of_regions(labels, executor), map.resolution_m,
+                                            executor, std::move(memory));
     auto shapes = tally_by_label<Shape>(
         labels, executor,
         [&](Shape& shape, const LabelRun& run) {
@@ -140,13 +140,15 @@ std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layou
 
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                  const GridMap& map, const Layout& layout,
-                                 const std::vector<Door>& doors, const Executor& executor) {
+                                 const std::vector<Door>& doors, const Executor& executor,
+                                 Raster<float> memory) {
     std::vector<std::size_t> num_doors(count + 1, 0);
     for (const Door& door : doors) {
         ++num_doors[index(door.a)];
         ++num_doors[index(door.b)];
     }
-    const std::vector<Shape> shapes = measure_shapes(labels, count, map, layout, executor);
+    const std::vector<Shape> shapes =
+        measure_shapes(labels, count, map, layout, executor, std::move(memory));
     const LaidOutFrame frame{layout, map.resolution_m, map.map_from_image};
     std::vector<Room> rooms;
     rooms.reserve(count);

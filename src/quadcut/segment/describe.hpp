@@ -24,10 +24,11 @@ std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layou
 [[nodiscard]] std::string default_name(RoomKind kind, RoomId id);
 
 /// Area, centroid, label point, kind and name of each region 1 .. count, whose doors are given.
-/// Names are the default ones. O(cells).
+/// Names are the default ones. O(cells); `memory` as of clearance_m().
 [[nodiscard]] std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels,
                                                std::uint32_t count, const GridMap& map,
                                                const Layout& layout, const std::vector<Door>& doors,
-                                               const Executor& executor = {});
+                                               const Executor& executor = {},
+                                               Raster<float> memory = {});
 
 }  // namespace quadcut

@@ -45,7 +45,7 @@ Segmentation Follower::rooms() const {
     const auto count = static_cast<std::uint32_t>(place_of_room.size());
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     const RoomsOptions& rooms = options_.segment.rooms;
-    const Raster<float> clearance =
+    Raster<float> clearance =
         clearance_m(open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2,
                                rooms.furniture, executor),
                     grid.resolution_m, executor);
@@ -53,7 +53,8 @@ Segmentation Follower::rooms() const {
     result.doors =
         find_doors(labels, count, clearance, {layout, grid.resolution_m, grid.map_from_image},
                    kMinDoorM, executor);
-    result.rooms = describe_rooms(labels, count, grid, layout, result.doors, executor);
+    result.rooms = describe_rooms(labels, count, grid, layout, result.doors, executor,
+                                  std::move(clearance));
     for (const auto& [id, place] : place_of_room) {
         Room& room = result.rooms[place - 1];
         room.id = RoomId{id};
