@@ -70,17 +70,18 @@ inline std::vector<Cell> places(const std::vector<Raster<CellState>>& buildings,
 }  // namespace campus
 
 /// Simulated buildings, half furnished, some turned, on open ground: together about `num_rooms`
-/// rooms at 5 cm. The same number gives the same campus.
-inline GridMap campus_of(int num_rooms) {
+/// rooms at 5 cm. The same numbers give the same campus; another one for each `draw`.
+inline GridMap campus_of(int num_rooms, int draw = 0) {
     const int count = std::max(1, (num_rooms + kRoomsOfBuilding / 2) / kRoomsOfBuilding);
     std::vector<Raster<CellState>> buildings(static_cast<std::size_t>(count));
     double cells = 0.0;
     parallel_for(Executor{2}, buildings.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             sim::BuildingOptions options;
-            options.seed = kFirstSeed + 1000 + i;
+            const std::size_t number = static_cast<std::size_t>(draw) * buildings.size() + i;
+            options.seed = kFirstSeed + 1000 + number;
             options.num_rooms = std::max(3, num_rooms / count);
-            options.yaw_rad = i % 4 == 3 ? 0.3 : 0.0;
+            options.yaw_rad = number % 4 == 3 ? 0.3 : 0.0;
             buildings[i] = sim::generate_building(options).map.states;
             campus::open_ground(buildings[i]);
         }

@@ -72,12 +72,14 @@ std::vector<bool> components_with(const FreeComponents& free, std::span<const Ce
     return found;
 }
 
-Raster<std::uint8_t> mask_of(const FreeComponents& free, const std::vector<bool>& kept) {
+Raster<std::uint8_t> mask_of(const FreeComponents& free, const std::vector<bool>& kept,
+                             const Executor& executor) {
     Raster<std::uint8_t> mask(free.origin, free.parts.width,
-                              static_cast<std::int32_t>(free.parts.row_begin.size() - 1));
+                              static_cast<std::int32_t>(free.parts.row_begin.size() - 1), 0,
+                              executor);
     std::vector<std::uint8_t> values(kept.size() + 1, 0);
     std::copy(kept.begin(), kept.end(), values.begin() + 1);
-    free.parts.paint(values, mask);
+    free.parts.paint(values, mask, executor);
     return mask;
 }
 

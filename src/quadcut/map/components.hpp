@@ -45,6 +45,7 @@ struct FreeComponents {
 
 /// 1 in the cells of the components that are `kept`. @pre kept.size() == components.size().
 [[nodiscard]] Raster<std::uint8_t> mask_of(const FreeComponents& free,
-                                           const std::vector<bool>& kept);
+                                           const std::vector<bool>& kept,
+                                           const Executor& executor = {});
 
 }  // namespace quadcut

@@ -122,7 +122,7 @@ void for_each_laid_out(const Raster<T>& raster, const Layout& layout, const Exec
 template <typename T>
 [[nodiscard]] Raster<T> laid_out(const Raster<T>& raster, const Layout& layout, T outside,
                                  const Executor& executor = {}) {
-    Raster<T> out({0, 0}, layout.width(), layout.height(), outside);
+    Raster<T> out({0, 0}, layout.width(), layout.height(), outside, executor);
     for_each_laid_out(raster, layout, executor, [&](std::size_t to, std::size_t from) {
         out.values[to] = raster.values[from];
     });

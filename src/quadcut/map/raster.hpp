@@ -2,32 +2,59 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/base/parallel.hpp"
 
 namespace quadcut {
+
+/// Leaves new numbers as they are in memory: the threads that write them first do so together.
+template <typename T>
+struct UnsetAllocator : std::allocator<T> {
+    template <typename U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+    template <typename U, typename... Values>
+    void construct(U* at, Values&&... values) {
+        if constexpr (sizeof...(Values) == 0) {
+            ::new (static_cast<void*>(at)) U;
+        } else {
+            ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+        }
+    }
+};
 
 /// A dense rectangle of cells: cell (x, y) of the map is at (x - origin.x, y - origin.y) here.
 /// Row 0 is the lowest. No invariant beyond values.size() == width * height.
 template <typename T>
 struct Raster {
+    using Values = std::vector<T, UnsetAllocator<T>>;
+
     Cell origin;
     std::int32_t width = 0;
     std::int32_t height = 0;
-    std::vector<T> values;
+    Values values;
 
     Raster() = default;
-    Raster(Cell lower_left, std::int32_t raster_width, std::int32_t raster_height, T fill = T{})
-        : origin(lower_left),
-          width(raster_width),
-          height(raster_height),
-          values(static_cast<std::size_t>(raster_width) * static_cast<std::size_t>(raster_height),
-                 fill) {}
-    explicit Raster(const Box& box, T fill = T{})
-        : Raster(box.low, box.width(), box.height(), fill) {}
+    Raster(Cell lower_left, std::int32_t raster_width, std::int32_t raster_height, T fill = T{},
+           const Executor& executor = {})
+        : origin(lower_left), width(raster_width), height(raster_height) {
+        constexpr std::size_t kChunk = std::size_t{1} << 18U;
+        values.resize(static_cast<std::size_t>(raster_width) *
+                      static_cast<std::size_t>(raster_height));
+        parallel_for(executor, values.size(), kChunk, [&](std::size_t first, std::size_t last) {
+            std::fill(values.data() + first, values.data() + last, fill);
+        });
+    }
+    explicit Raster(const Box& box, T fill = T{}, const Executor& executor = {})
+        : Raster(box.low, box.width(), box.height(), fill, executor) {}
 
     [[nodiscard]] Box box() const {
         return {origin, {origin.x + width - 1, origin.y + height - 1}};

@@ -203,7 +203,7 @@ struct Peak {
 };
 
 std::vector<Peak> find_ways_up(const Raster<float>& clearance, double resolution_m,
-                               const Executor& executor, std::vector<std::uint32_t>& ways) {
+                               const Executor& executor, std::uint32_t* ways) {
     const std::vector<float> kernel = gaussian_kernel(kSmoothingM / resolution_m);
     const auto width = static_cast<std::size_t>(clearance.width);
     const auto height = static_cast<std::size_t>(clearance.height);
@@ -247,11 +247,10 @@ Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
         throw InputError("the map has " + std::to_string(clearance_m.values.size()) +
                          " cells: expected fewer than " + std::to_string(kIsLabel));
     }
-    basins.labels =
-        Raster<std::uint32_t>(clearance_m.origin, clearance_m.width, clearance_m.height);
+    basins.labels = Raster<std::uint32_t>(clearance_m.box(), 0, executor);
     if (clearance_m.values.empty()) return basins;
-    std::vector<std::uint32_t>& ways = basins.labels.values;
-    std::vector<Peak> peaks = find_ways_up(clearance_m, resolution_m, executor, ways);
+    auto& ways = basins.labels.values;
+    std::vector<Peak> peaks = find_ways_up(clearance_m, resolution_m, executor, ways.data());
     // Basins are numbered from the highest peak down.
     std::stable_sort(peaks.begin(), peaks.end(),
                      [](const Peak& a, const Peak& b) { return a.level > b.level; });

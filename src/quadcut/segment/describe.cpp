@@ -20,7 +20,7 @@ constexpr std::size_t kRowsPerChunk = 64;
 /// 1 where all four neighbours have the cell's own label: the cells inside a region's border.
 Raster<std::uint8_t> interior_of_regions(const Raster<std::uint32_t>& labels,
                                          const Executor& executor) {
-    Raster<std::uint8_t> interior(labels.origin, labels.width, labels.height);
+    Raster<std::uint8_t> interior(labels.box(), 0, executor);
     const auto width = static_cast<std::size_t>(labels.width);
     const auto height = static_cast<std::size_t>(labels.height);
     if (height < 3) return interior;

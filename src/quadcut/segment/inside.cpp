@@ -44,7 +44,7 @@ Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajector
     if (outside && !components_with(free, visited_cells(map, trajectory))[*outside]) {
         kept[*outside] = false;
     }
-    return mask_of(free, kept);
+    return mask_of(free, kept, executor);
 }
 
 }  // namespace quadcut

@@ -40,7 +40,8 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
     result.rooms = describe_rooms(labels, count, map, layout, result.doors, executor,
                                   std::move(clearance));
     result.next_id = count + 1;
-    result.labels = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height);
+    result.labels = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0,
+                                          executor);
     for_each_laid_out(result.labels, layout, executor, [&](std::size_t from, std::size_t to) {
         result.labels.values[to] = static_cast<std::uint16_t>(labels.values[from]);
     });
@@ -60,7 +61,7 @@ Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, doubl
     const Raster<std::uint8_t> kept = inside(map, trajectory, min_component_m2, executor);
     floor.layout = standard_layout(kept, executor);
     floor.kept = laid_out<std::uint8_t>(kept, floor.layout, 0, executor);
-    floor.free = Raster<std::uint8_t>({0, 0}, floor.kept.width, floor.kept.height);
+    floor.free = Raster<std::uint8_t>(floor.kept.box(), 0, executor);
     for_each_laid_out(map.states, floor.layout, executor, [&](std::size_t to, std::size_t from) {
         floor.free.values[to] = map.states.values[from] == CellState::free ? 1 : 0;
     });

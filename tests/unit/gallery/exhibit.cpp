@@ -46,7 +46,7 @@ TEST(GalleryExhibit, ResamplesWhereverTheFrameIs) {
     frame.map_from_image = {1.0, 1.0, 0.0};
     frame.states = Raster<CellState>({0, 0}, 3, 2);
     const Side side = resampled(frame, floor.map, floor.segmentation);
-    EXPECT_EQ(side.rooms.labels.values, (std::vector<std::uint16_t>{2, 2, 0, 2, 2, 0}));
+    EXPECT_EQ(side.rooms.labels.values, (Raster<std::uint16_t>::Values{2, 2, 0, 2, 2, 0}));
     EXPECT_EQ(side.map.states.at({1, 1}), CellState::free);
     EXPECT_EQ(side.map.states.at({2, 1}), CellState::unknown);
 }

@@ -121,7 +121,7 @@ TEST(PreviousResult, RefusesAnImageThatDoesNotFitTheLegend) {
     };
     EXPECT_NEAR(parse_png_of(png(1, 255, 9)).legend.rooms[1].area_m2, 0.0025, 1e-12);
     EXPECT_EQ(parse_png_of(png(1, 65535, 4)).labels.values,
-              (std::vector<std::uint16_t>{0, 0, 1, 0, 0, 0}))
+              (Raster<std::uint16_t>::Values{0, 0, 1, 0, 0, 0}))
         << "the lowest row is the first";
     EXPECT_EQ(error_of([&] { (void)parse_png_of(png(1, 65535, 5)); }),
               "r.png: row 2, column 3: expected 0 or a value of the labels in r.yaml, found 5");
@@ -159,7 +159,7 @@ TEST(PreviousResult, ReadsBackWhatWasWritten) {
 }
 
 /// The earlier labels on the cells of `now`.
-std::vector<std::uint16_t> labels_on(const PreviousResult& previous, const DrawnFloor& now) {
+auto labels_on(const PreviousResult& previous, const DrawnFloor& now) {
     return on_cells_of(previous, now.map, now.segmentation.labels).labels.values;
 }
 
@@ -182,7 +182,7 @@ TEST(PreviousResult, RoomsAreFoundWhereTheyAreInTheMapFrame) {
 
     DrawnFloor far = drawn_floor({"aab", "aab", "ccb"}, 4);
     far.map.map_from_image = {-9e6, 9e6, 1.0};
-    EXPECT_EQ(labels_on(previous, far), std::vector<std::uint16_t>(144, 0));
+    EXPECT_EQ(labels_on(previous, far), Raster<std::uint16_t>::Values(144, 0));
 }
 
 TEST(PreviousResult, ACellHasTheRoomAtItsCentre) {
