@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "quadcut/map/morton.hpp"
 #include "quadcut/segment/contacts.hpp"
 #include "quadcut/segment/door_model.hpp"
 #include "quadcut/segment/region_graph.hpp"
@@ -146,11 +147,18 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
     }
     const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m,
                               executor);
+    std::vector<Found*> order;
+    for (Found& opening : openings) order.push_back(&opening);
+    const auto block = [box = labels.box()](const Found* opening) {
+        return block_code(opening->contacts.front().a, box);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](const Found* p, const Found* q) { return block(p) < block(q); });
     parallel_for(
-        executor, openings.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
+        executor, order.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
             NarrowingGauge gauge(clearance_m, frame.resolution_m);
             for (std::size_t i = first; i < last; ++i) {
-                openings[i].door = measure_door(openings[i], regions, clearance_m, frame, gauge);
+                order[i]->door = measure_door(*order[i], regions, clearance_m, frame, gauge);
             }
         });
     std::vector<Door> doors;

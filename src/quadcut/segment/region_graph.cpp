@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "quadcut/map/morton.hpp"
 #include "quadcut/segment/contacts.hpp"
 #include "quadcut/segment/label_tally.hpp"
 
@@ -211,6 +212,12 @@ void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
     for (std::uint32_t region = 0; region < saddles_.size(); ++region) {
         collect_unmeasured(region, max_width_m, true, saddles);
     }
+    const auto block = [box = pieces_.box()](const Unmeasured& unmeasured) {
+        return block_code(unmeasured.saddle->a, box);
+    };
+    std::sort(saddles.begin(), saddles.end(), [&](const Unmeasured& p, const Unmeasured& q) {
+        return block(p) < block(q);
+    });
     measure(saddles, executor);
 }
 
