@@ -14,16 +14,21 @@ struct Bandwidth {
     /// a = b + c d (McCalpin's triad), 24 bytes an element.
     double triad = 0.0;
 };
-[[nodiscard]] Bandwidth measure_bandwidth(const Executor& executor);
-
 /// Bytes a second that the product L x moves at least: each entry (value and column), and of each
-/// row the diagonal entry, its place and its length, x and the result, once. The least of many
-/// calls.
+/// row the diagonal entry, its place and its length, x and the result, once.
 struct Product {
     double ms = 0.0;
     double bytes = 0.0;
 };
-[[nodiscard]] Product measure_product(const Laplacian& laplacian, std::size_t num_entries,
-                                      const Executor& executor);
+
+/// The best of many calls of each, in turns: a machine that others use has other bandwidths a
+/// second later.
+struct ProductBesideBandwidth {
+    Bandwidth bandwidth;
+    Product product;
+};
+[[nodiscard]] ProductBesideBandwidth measure_product(const Laplacian& laplacian,
+                                                     std::size_t num_entries,
+                                                     const Executor& executor);
 
 }  // namespace quadcut::peers

@@ -172,8 +172,8 @@ Json compare_product(const Graph& graph) {
         "of the triad |\n|---|---|---|---|---|---|---|\n");
     Json json = Json::array();
     for (const int num_threads : {1, 2}) {
-        const Bandwidth bandwidth = measure_bandwidth({num_threads});
-        const Product product = measure_product(laplacian, graph.columns.size(), {num_threads});
+        const auto [bandwidth, product] =
+            measure_product(laplacian, graph.columns.size(), {num_threads});
         const double rate = product.bytes / (1e-3 * product.ms);
         std::printf("| %d | %.1f | %.1f | %.2f | %.1f | %.0f %% | %.0f %% |\n", num_threads,
                     1e-9 * bandwidth.read, 1e-9 * bandwidth.triad, product.ms, 1e-9 * rate,

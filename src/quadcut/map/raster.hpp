@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,17 +18,14 @@ namespace quadcut {
 /// Leaves new numbers as they are in memory: the threads that write them first do so together.
 template <typename T>
 struct UnsetAllocator : std::allocator<T> {
+    static_assert(std::is_trivially_copyable_v<T>);
     template <typename U>
     struct rebind {
         using other = UnsetAllocator<U>;
     };
     template <typename U, typename... Values>
     void construct(U* at, Values&&... values) {
-        if constexpr (sizeof...(Values) == 0) {
-            ::new (static_cast<void*>(at)) U;
-        } else {
-            ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
-        }
+        if constexpr (sizeof...(Values) != 0) std::construct_at(at, std::forward<Values>(values)...);
     }
 };
 

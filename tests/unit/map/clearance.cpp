@@ -62,6 +62,18 @@ TEST(Clearance, ThreadsDoNotChangeAByte) {
     }
 }
 
+TEST(Clearance, IsTheSameInTheMemoryOfAnotherRaster) {
+    Raster<std::uint8_t> open({2, 3}, 40, 30, 1);
+    open.at({20, 10}) = 0;
+    const Raster<float> fresh = clearance_m(open, 0.05);
+    for (const std::int32_t side : {3, 200}) {
+        const Raster<float> again =
+            clearance_m(open, 0.05, {}, Raster<float>({0, 0}, side, side, 7.0F));
+        EXPECT_EQ(again.box(), fresh.box());
+        EXPECT_EQ(again.values, fresh.values);
+    }
+}
+
 TEST(Clearance, EmptyRasterIsFine) {
     EXPECT_TRUE(clearance_m(Raster<std::uint8_t>{}, 0.05).values.empty());
 }
