@@ -36,6 +36,7 @@ constexpr double kNudges[] = {0.0, 1e-9, 3e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 3e-
 constexpr double kCountGrowth = 1e7;
 constexpr int kMaxRounds = 20;
 constexpr double kOrthonormal = 1e-8;
+constexpr std::size_t kProductsAtOnce = 4;
 
 Eigen::Map<MatrixXd> vectors_of(Eigenpairs& pairs) {
     return {pairs.vectors.data(), static_cast<Index>(pairs.num_nodes),
@@ -59,17 +60,26 @@ void finish(const Laplacian& laplacian, const EigenOptions& options, const Execu
             throw NumericalError("eigensolver: the vectors are not orthonormal");
         }
     }
-    MatrixXd products(vectors.rows(), vectors.cols());
-    laplacian.apply_block(pairs.vectors, {products.data(), pairs.vectors.size()}, executor);
-    parallel_for(executor, pairs.size(), 1, [&](std::size_t j, std::size_t) {
-        const auto product = products.col(static_cast<Index>(j));
-        auto vector = vectors.col(static_cast<Index>(j));
-        pairs.values[j] = std::max(0.0, vector.dot(product));
-        pairs.residuals[j] = (product - pairs.values[j] * vector).norm();
-        Index largest = 0;
-        vector.cwiseAbs().maxCoeff(&largest);
-        if (vector[largest] < 0.0) vector = -vector;
-    });
+    // A device is handed all vectors at once; without one, new memory costs more than the products.
+    const std::size_t num_at_once =
+        executor.accelerator != nullptr ? pairs.size() : std::min(kProductsAtOnce, pairs.size());
+    const std::size_t size = pairs.num_nodes;
+    MatrixXd products(vectors.rows(), static_cast<Index>(num_at_once));
+    for (std::size_t first = 0; first < pairs.size(); first += num_at_once) {
+        const std::size_t count = std::min(num_at_once, pairs.size() - first);
+        laplacian.apply_block(std::span(pairs.vectors).subspan(first * size, count * size),
+                              {products.data(), count * size}, executor);
+        parallel_for(executor, count, 1, [&](std::size_t i, std::size_t) {
+            const std::size_t j = first + i;
+            const auto product = products.col(static_cast<Index>(i));
+            auto vector = vectors.col(static_cast<Index>(j));
+            pairs.values[j] = std::max(0.0, vector.dot(product));
+            pairs.residuals[j] = (product - pairs.values[j] * vector).norm();
+            Index largest = 0;
+            vector.cwiseAbs().maxCoeff(&largest);
+            if (vector[largest] < 0.0) vector = -vector;
+        });
+    }
     const double residual = *std::max_element(pairs.residuals.begin(), pairs.residuals.end());
     if (residual > options.tolerance * laplacian.norm_bound()) {
         throw NumericalError("eigensolver: the residual of an eigenpair is too large");
@@ -205,6 +215,16 @@ Eigenpairs solve_and_merge(const Graph& graph, LaplacianKind kind, double limit,
         limit = std::min(limit, std::get<2>(candidates.back()) + kSlack * norm);
     }
 
+    const bool is_as_solved =
+        nodes.size() == 1 && candidates.size() == solved[0].size() &&
+        std::is_sorted(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+            return std::get<3>(a) < std::get<3>(b);
+        });
+    if (is_as_solved) {
+        pairs = std::move(solved[0]);
+        pairs.components.assign(pairs.size(), 0);
+        return pairs;
+    }
     pairs.vectors.assign(candidates.size() * pairs.num_nodes, 0.0);
     for (const auto& [rank, component, value, j] : candidates) {
         const auto source = solved[component].vector(j);
