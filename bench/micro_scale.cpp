@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // Time and peak memory of segment(), with defaults, from small maps to 120 million cells: the maps
-// of the data, simulated campuses of 10 to 3,000 rooms, one gigantic map; each in a process of its
-// own, beside OpenCV's exact distance transform of the same image. Fits time = factor * size ^ e,
-// of wall time and of the CPU time of all threads, which others on the machine disturb less.
+// of the data, simulated campuses of 10 to 3,000 rooms (means of several draws up to 300), one
+// gigantic map; each in a process of its own, beside OpenCV's exact distance transform of the same
+// image. Fits time = factor * size ^ e, of wall time and of the CPU time of all threads, which
+// others on the machine disturb less.
 //   micro_scale [-o FILE.json] [TEXT]      only inputs whose name contains TEXT
 #include <algorithm>
 #include <array>
@@ -63,8 +64,8 @@ std::vector<Input> all_inputs() {
     }
     std::sort(paths.begin(), paths.end());
     for (const fs::path& path : paths) {
-        inputs.push_back({path.stem().string(), "data",
-                          [path](int) { return io::read_map(path).map; }});
+        inputs.push_back(
+            {path.stem().string(), "data", [path](int) { return io::read_map(path).map; }});
     }
     // Few buildings may be all furnished, or none of them turned: small campuses are drawn often
     // enough for the same mixture of buildings as large ones have.
@@ -178,8 +179,7 @@ Json mean_of_draws(const Input& input) {
         mean[count] = std::llround(mean[count].get<double>());
     }
     mean["draws"] = input.draws;
-    mean["ratio"] =
-        mean["segment_ms"].get<double>() / mean["distance_transform_ms"].get<double>();
+    mean["ratio"] = mean["segment_ms"].get<double>() / mean["distance_transform_ms"].get<double>();
     mean["cpu_ratio"] =
         mean["segment_cpu_ms"].get<double>() / mean["distance_transform_cpu_ms"].get<double>();
     return mean;
@@ -225,7 +225,7 @@ int run(int argc, char** argv) {
     std::printf(
         "| map | megacells | free megacells | rooms | segment ms | of CPU | distance transform ms "
         "| "
-        "ratio | peak MiB |\n|---|---|---|---|---|---|---|---|---|\n");
+        "ratio | of CPU times | peak MiB |\n|---|---|---|---|---|---|---|---|---|---|\n");
     Json rows = Json::array();
     for (const Input& input : all_inputs()) {
         if (input.name.find(wanted) == std::string::npos) continue;

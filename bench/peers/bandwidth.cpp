@@ -69,10 +69,10 @@ ProductBesideBandwidth measure_product(const Laplacian& laplacian, std::size_t n
     }
     ProductBesideBandwidth found;
     found.bandwidth = {8.0 * kLength / read_s, 24.0 * kLength / triad_s};
-    found.product = {1e3 * product_s,
-                     static_cast<double>(
-                         num_entries * (sizeof(double) + sizeof(std::uint32_t)) +
-                         x.size() * (3 * sizeof(double) + 2 * sizeof(std::uint32_t)))};
+    found.product = {
+        1e3 * product_s,
+        static_cast<double>(num_entries * (sizeof(double) + sizeof(std::uint32_t)) +
+                            x.size() * (3 * sizeof(double) + 2 * sizeof(std::uint32_t)))};
     return found;
 }
 

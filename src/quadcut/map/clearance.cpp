@@ -132,6 +132,7 @@ Raster<float> clearance_m(const Raster<std::uint8_t>& open, double resolution_m,
     out.origin = open.origin;
     out.width = open.width;
     out.height = open.height;
+    if (out.values.capacity() < open.values.size()) out.values = {};
     out.values.resize(open.values.size());
     const auto width = static_cast<std::size_t>(open.width);
     parallel_for(executor, width, kColumnsPerChunk, [&](std::size_t first, std::size_t last) {

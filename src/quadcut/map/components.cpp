@@ -74,9 +74,10 @@ std::vector<bool> components_with(const FreeComponents& free, std::span<const Ce
 
 Raster<std::uint8_t> mask_of(const FreeComponents& free, const std::vector<bool>& kept,
                              const Executor& executor) {
-    Raster<std::uint8_t> mask(free.origin, free.parts.width,
-                              static_cast<std::int32_t>(free.parts.row_begin.size() - 1), 0,
-                              executor);
+    auto mask = Raster<std::uint8_t>::unset(
+        {free.origin,
+         {free.origin.x + free.parts.width - 1,
+          free.origin.y + static_cast<std::int32_t>(free.parts.row_begin.size()) - 2}});
     std::vector<std::uint8_t> values(kept.size() + 1, 0);
     std::copy(kept.begin(), kept.end(), values.begin() + 1);
     free.parts.paint(values, mask, executor);

@@ -37,8 +37,8 @@ namespace quadcut {
            (spread_bits(static_cast<std::uint32_t>(position.y)) << 1);
 }
 
-/// By which work at cells is ordered, so that what lies beside each other is done one after the other
-/// and found in the cache: the code of the cell's block in the box.
+/// By which work at cells is ordered, so that what lies beside each other is done one after the
+/// other and found in the cache: the code of the cell's block in the box.
 [[nodiscard]] constexpr std::uint64_t block_code(Cell cell, const Box& box) {
     constexpr std::int32_t kBlock = 64;
     return morton_code({(cell.x - box.low.x) / kBlock, (cell.y - box.low.y) / kBlock});

@@ -15,22 +15,27 @@
 
 namespace quadcut {
 
-/// Leaves new numbers as they are in memory: the threads that write them first do so together.
+/// Leaves new values as they are in memory: the threads that write them first do so together.
 template <typename T>
 struct UnsetAllocator : std::allocator<T> {
     static_assert(std::is_trivially_copyable_v<T>);
+    UnsetAllocator() = default;
+    template <typename U>
+    explicit UnsetAllocator(const UnsetAllocator<U>& other) : std::allocator<T>(other) {}
     template <typename U>
     struct rebind {
         using other = UnsetAllocator<U>;
     };
     template <typename U, typename... Values>
     void construct(U* at, Values&&... values) {
-        if constexpr (sizeof...(Values) != 0) std::construct_at(at, std::forward<Values>(values)...);
+        if constexpr (sizeof...(Values) != 0)
+            std::construct_at(at, std::forward<Values>(values)...);
     }
 };
 
 /// A dense rectangle of cells: cell (x, y) of the map is at (x - origin.x, y - origin.y) here.
-/// Row 0 is the lowest. No invariant beyond values.size() == width * height.
+/// Row 0 is the lowest. No invariant beyond values.size() == width * height. To make `values`
+/// larger leaves the new ones unset.
 template <typename T>
 struct Raster {
     using Values = std::vector<T, UnsetAllocator<T>>;
@@ -53,6 +58,17 @@ struct Raster {
     }
     explicit Raster(const Box& box, T fill = T{}, const Executor& executor = {})
         : Raster(box.low, box.width(), box.height(), fill, executor) {}
+
+    /// For whoever writes all cells first.
+    [[nodiscard]] static Raster unset(const Box& box) {
+        Raster raster;
+        raster.origin = box.low;
+        raster.width = box.width();
+        raster.height = box.height();
+        raster.values.resize(static_cast<std::size_t>(raster.width) *
+                             static_cast<std::size_t>(raster.height));
+        return raster;
+    }
 
     [[nodiscard]] Box box() const {
         return {origin, {origin.x + width - 1, origin.y + height - 1}};

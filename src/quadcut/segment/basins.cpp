@@ -71,7 +71,8 @@ Rows smooth(const Raster<float>& in, const std::vector<float>& kernel, std::int6
         for (std::int64_t k = -radius; k <= radius; ++k) {
             const float weight = kernel[static_cast<std::size_t>(k + radius)];
             const std::int64_t begin = std::max<std::int64_t>(0, -k);
-            add_weighted(out + begin, row + begin + k, weight, std::min(width, width - k) - begin);
+            const std::int64_t count = std::min(width, width - k) - begin;
+            if (count > 0) add_weighted(out + begin, row + begin + k, weight, count);
         }
     }
     Rows result(first, last, static_cast<std::size_t>(width));
@@ -113,7 +114,8 @@ struct ThreeRows {
 };
 
 /// By cell of the row in the middle, the steepest step up; 0 where all around are lower.
-QUADCUT_WIDE_VECTORS void steepest_steps(const ThreeRows& rows, std::int32_t width, std::int32_t* ahead_of) {
+QUADCUT_WIDE_VECTORS void steepest_steps(const ThreeRows& rows, std::int32_t width,
+                                         std::int32_t* ahead_of) {
     const auto [heights, levels] = rows;
     for (std::int32_t x = 0; x < width; ++x) {
         float steepest = -1e30F;
@@ -247,7 +249,7 @@ Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
         throw InputError("the map has " + std::to_string(clearance_m.values.size()) +
                          " cells: expected fewer than " + std::to_string(kIsLabel));
     }
-    basins.labels = Raster<std::uint32_t>(clearance_m.box(), 0, executor);
+    basins.labels = Raster<std::uint32_t>::unset(clearance_m.box());
     if (clearance_m.values.empty()) return basins;
     auto& ways = basins.labels.values;
     std::vector<Peak> peaks = find_ways_up(clearance_m, resolution_m, executor, ways.data());

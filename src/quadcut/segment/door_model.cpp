@@ -40,10 +40,10 @@ unsigned flatten(const DoorTree& tree, int node, FlatTree& flat) {
     const auto leaf = [](int number) { return 1U << static_cast<unsigned>(-number); };
     const auto at = static_cast<std::size_t>(node);
     const DoorBranch& branch = tree.branches[at];
-    const auto under = [&](int next) {
-        return next > 0 ? flatten(tree, next, flat) : leaf(next);
-    };
+    const auto under = [&](int next) { return next > 0 ? flatten(tree, next, flat) : leaf(next); };
     const unsigned below = under(branch.below);
+    // Not a question, but what fills a tree of one leaf.
+    if (branch.below == branch.above) return below;
     flat.questions[at] = {branch.threshold, branch.cue, static_cast<std::uint8_t>(~below)};
     return below | under(branch.above);
 }

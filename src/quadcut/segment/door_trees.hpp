@@ -8,7 +8,7 @@
 namespace quadcut {
 
 /// One question of a tree: is the cue at most the threshold? What follows is the branch of that
-/// number, or, from 0 downwards, the leaf of that number.
+/// number, or, from 0 downwards, the leaf of that number; leaves are numbered from below to above.
 struct DoorBranch {
     std::uint8_t cue = 0;
     float threshold = 0.0F;

@@ -68,8 +68,7 @@ public:
             const Cell cell = free_.cell(obstacle[i]);
             for (const auto& [forward, back] : directions_) {
                 const double ahead = gap_to_wall(cell, forward, max_gap_);
-                const double behind =
-                    gap_to_wall(cell, back, std::isinf(ahead) ? flaw_ : max_gap_);
+                const double behind = gap_to_wall(cell, back, std::isinf(ahead) ? flaw_ : max_gap_);
                 if (std::max(ahead, behind) <= max_gap_) return true;
                 if (std::min(ahead, behind) <= flaw_ && is_piece_of_wall(cell, forward.along)) {
                     return true;
@@ -80,7 +79,8 @@ public:
     }
 
 private:
-    /// In one direction out of the middle of a cell: the cells a step apart.
+    /// In one direction out of the middle of a cell: the cells a step apart. From every cell the
+    /// same ones, also where a step ends between two.
     struct Way {
         Point along;
         std::vector<Cell> steps;
@@ -89,6 +89,7 @@ private:
     /// As far as any question goes: through an obstacle, over a gap and along a wall.
     [[nodiscard]] Way way_along(const Point& along) const {
         Way way{along, {}};
+        way.steps.reserve(static_cast<std::size_t>(2.0 * max_gap_ + min_wall_) + 4);
         for (double t = 0.0; t < 2.0 * max_gap_ + min_wall_ + 3.0; t += 1.0) {
             way.steps.push_back(cell_of({0.5 + t * along.x, 0.5 + t * along.y}));
         }
@@ -97,22 +98,26 @@ private:
     [[nodiscard]] bool is_free(Cell cell) const {
         return free_.contains(cell) && free_.at(cell) != 0;
     }
-    [[nodiscard]] bool is_free_at(const Point& at) const { return is_free(cell_of(at)); }
-    [[nodiscard]] bool has_face(const Point& at, const Point& side) const {
+    /// At a point seen from the lower left corner of a cell.
+    [[nodiscard]] bool is_free_at(Cell from, const Point& at) const {
+        const Cell cell = cell_of(at);
+        return is_free({from.x + cell.x, from.y + cell.y});
+    }
+    [[nodiscard]] bool has_face(Cell from, const Point& at, const Point& side) const {
         for (double t = 1.0; t <= face_; t += 1.0) {
-            if (is_free_at({at.x + t * side.x, at.y + t * side.y})) return true;
+            if (is_free_at(from, {at.x + t * side.x, at.y + t * side.y})) return true;
         }
         return false;
     }
     /// Whether the obstacle is long along a line through it, and thin everywhere on it.
     [[nodiscard]] bool is_piece_of_wall(Cell cell, const Point& along) const {
-        const Point middle{cell.x + 0.5, cell.y + 0.5};
         double length = -1.0;
         for (const double sign : {1.0, -1.0}) {
             for (double t = 0.0; t <= max_gap_; t += 1.0, length += 1.0) {
-                const Point at{middle.x + sign * t * along.x, middle.y + sign * t * along.y};
-                if (is_free_at(at)) break;
-                if (!has_face(at, {-along.y, along.x}) || !has_face(at, {along.y, -along.x})) {
+                const Point at{0.5 + sign * t * along.x, 0.5 + sign * t * along.y};
+                if (is_free_at(cell, at)) break;
+                if (!has_face(cell, at, {-along.y, along.x}) ||
+                    !has_face(cell, at, {along.y, -along.x})) {
                     return false;
                 }
             }
@@ -139,9 +144,9 @@ private:
         const Point& along = way.along;
         for (const Cell* const wall = step; steps_since(wall) < min_wall_; ++step) {
             const double t = steps_since(way.steps.data());
-            const Point at{from.x + 0.5 + t * along.x, from.y + 0.5 + t * along.y};
-            if (is_free_here() || !has_face(at, {-along.y, along.x}) ||
-                !has_face(at, {along.y, -along.x})) {
+            const Point at{0.5 + t * along.x, 0.5 + t * along.y};
+            if (is_free_here() || !has_face(from, at, {-along.y, along.x}) ||
+                !has_face(from, at, {along.y, -along.x})) {
                 return kNone;
             }
         }
@@ -199,7 +204,7 @@ Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
     const Obstacles small =
         small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
     std::vector<std::uint8_t> is_wall(small.size(), 0);
-    if (rule == FurnitureRule::off_wall) {
+    if (rule == FurnitureRule::off_wall && !small.empty()) {
         const WallSeeker walls(kept, resolution_m);
         parallel_for(executor, small.size(), kObstaclesPerChunk,
                      [&](std::size_t first, std::size_t last) {

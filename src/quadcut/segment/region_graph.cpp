@@ -215,9 +215,8 @@ void RegionGraph::measure_all(double max_width_m, const Executor& executor) {
     const auto block = [box = pieces_.box()](const Unmeasured& unmeasured) {
         return block_code(unmeasured.saddle->a, box);
     };
-    std::sort(saddles.begin(), saddles.end(), [&](const Unmeasured& p, const Unmeasured& q) {
-        return block(p) < block(q);
-    });
+    std::sort(saddles.begin(), saddles.end(),
+              [&](const Unmeasured& p, const Unmeasured& q) { return block(p) < block(q); });
     measure(saddles, executor);
 }
 
