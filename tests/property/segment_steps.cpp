@@ -22,6 +22,7 @@
 #include "quadcut/segment/door_model.hpp"
 #include "quadcut/segment/door_trees.hpp"
 #include "quadcut/segment/narrowing.hpp"
+#include "quadcut/segment/open_space.hpp"
 #include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
@@ -190,6 +191,40 @@ TEST(SegmentSteps, AWalkThatLooksOnlyWhereItMustFindsAllThatAPlainOneDoes) {
             expect_same(gauge.walk_outward(cell, along, {basins.labels, region}).side,
                         walk_plainly(clearance, regions, cell, along));
             ++num_walks;
+        }
+    }
+}
+
+TEST(SegmentSteps, BasinsOfAMapNarrowerThanItsSmoothing) {
+    for (const std::int32_t width : {1, 2, 3}) {
+        const Raster<std::uint8_t> open({0, 0}, width, 40, 1);
+        const Basins basins = build_basins(clearance_m(open, 0.005), 0.005);
+        EXPECT_GE(basins.count, 1U);
+        EXPECT_EQ(std::count(basins.labels.values.begin(), basins.labels.values.end(), 0U), 0);
+    }
+}
+
+TEST(SegmentSteps, OpenSpaceIsTheSameWhereverItLies) {
+    Random random(8);
+    for (const double resolution_m : {0.005, 0.05, 1.0}) {
+        const double max_m2 = 60.0 * resolution_m * resolution_m;
+        for (int k = 0; k < 6; ++k) {
+            Raster<std::uint8_t> floor = random_floor(random, 160, 120);
+            constexpr Cell kAway{1003, 2005};
+            Raster<std::uint8_t> away({0, 0}, 1203, 2155);
+            for (std::size_t i = 0; i < floor.values.size(); ++i) {
+                const Cell cell = floor.cell(i);
+                // What touches the edge of a map is no furniture: the same in both.
+                if (is_on_edge(floor, i)) floor.values[i] = 0;
+                away.at({cell.x + kAway.x, cell.y + kAway.y}) = floor.values[i];
+            }
+            const auto here = open_space(floor, resolution_m, max_m2, FurnitureRule::off_wall, {});
+            const auto there = open_space(away, resolution_m, max_m2, FurnitureRule::off_wall, {});
+            for (std::size_t i = 0; i < here.values.size(); ++i) {
+                const Cell cell = here.cell(i);
+                ASSERT_EQ(here.values[i], there.at({cell.x + kAway.x, cell.y + kAway.y}));
+                ASSERT_GE(here.values[i], floor.values[i]);
+            }
         }
     }
 }
