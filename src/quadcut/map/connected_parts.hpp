@@ -50,17 +50,17 @@ struct ConnectedParts {
     void paint(const Values& values, Raster<T>& cells, const Executor& executor = {}) const {
         constexpr std::size_t kRows = 64;
         const auto length = static_cast<std::size_t>(width);
-        parallel_for(
-            executor, row_begin.size() - 1, kRows, [&](std::size_t first, std::size_t last) {
-                for (std::size_t y = first; y < last; ++y) {
-                    T* const row = cells.values.data() + y * length;
-                    std::fill_n(row, length, static_cast<T>(values[0]));
-                    for (std::size_t i = row_begin[y]; i < row_begin[y + 1]; ++i) {
-                        std::fill(row + runs[i].begin, row + runs[i].end,
-                                  static_cast<T>(values[runs[i].part]));
-                    }
-                }
-            });
+        parallel_for(executor, row_begin.size() - 1, kRows,
+                     [&](std::size_t first, std::size_t last) {
+                         for (std::size_t y = first; y < last; ++y) {
+                             T* const row = cells.values.data() + y * length;
+                             std::fill_n(row, length, static_cast<T>(values[0]));
+                             for (std::size_t i = row_begin[y]; i < row_begin[y + 1]; ++i) {
+                                 std::fill(row + runs[i].begin, row + runs[i].end,
+                                           static_cast<T>(values[runs[i].part]));
+                             }
+                         }
+                     });
     }
     /// For each part, whether it has cells on the edge of the raster.
     [[nodiscard]] std::vector<bool> on_edge() const;

@@ -53,8 +53,8 @@ Segmentation Follower::rooms() const {
     result.doors =
         find_doors(labels, count, clearance, {layout, grid.resolution_m, grid.map_from_image},
                    kMinDoorM, executor);
-    result.rooms = describe_rooms(labels, count, grid, layout, result.doors, executor,
-                                  std::move(clearance));
+    result.rooms =
+        describe_rooms(labels, count, grid, layout, result.doors, executor, std::move(clearance));
     for (const auto& [id, place] : place_of_room) {
         Room& room = result.rooms[place - 1];
         room.id = RoomId{id};

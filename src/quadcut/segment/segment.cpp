@@ -37,11 +37,11 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
     }
     result.doors = find_doors(labels, count, clearance,
                               {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
-    result.rooms = describe_rooms(labels, count, map, layout, result.doors, executor,
-                                  std::move(clearance));
+    result.rooms =
+        describe_rooms(labels, count, map, layout, result.doors, executor, std::move(clearance));
     result.next_id = count + 1;
-    result.labels = Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0,
-                                          executor);
+    result.labels =
+        Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0, executor);
     for_each_laid_out(result.labels, layout, executor, [&](std::size_t from, std::size_t to) {
         result.labels.values[to] = static_cast<std::uint16_t>(labels.values[from]);
     });
