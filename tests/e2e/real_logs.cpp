@@ -8,6 +8,9 @@
 
 #include "io/map_server.hpp"
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/rooms.hpp"
+#include "quadcut/segment/segment.hpp"
 #include "tests/e2e/labels.hpp"
 #include "tests/e2e/program.hpp"
 
@@ -62,6 +65,29 @@ TEST(SlowRealLogs, IntelAgreesWithItsTruth) {
     EXPECT_GE(iou, 0.9);
     // What is compared is most of the truth.
     EXPECT_GE(free_m2(map), 0.9 * free_m2(truth));
+}
+
+TEST(SlowRealLogs, AWholeMapHasTheRoomsOfAWindowThatHoldsIt) {
+    const std::filesystem::path log = shared("data/logs/aces_dense.log.gz");
+    if (!std::filesystem::exists(log)) GTEST_SKIP() << "no data/logs/aces_dense.log.gz";
+    const Folder folder;
+    const Outcome outcome = run_quadcut({"map", log.string(), "-o", folder / "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const GridMap map = io::read_map(folder / "out/map.yaml").map;
+    const Raster<std::uint8_t> kept = inside(map, {}, 2.0, {});
+    const Raster<std::uint8_t> free = mask_of(map, CellState::free);
+    const auto rooms_of = [&](const auto& add_beyond, Hierarchy* hierarchy) {
+        StageClock clock;
+        SegmentReport report;
+        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, clock, {2}, report,
+                              hierarchy)
+            .rooms.values;
+    };
+    // A window keeps its pieces beside its rooms, a whole map only where a hierarchy is asked for.
+    Hierarchy hierarchy;
+    const auto whole = rooms_of(nullptr, nullptr);
+    EXPECT_EQ(whole, rooms_of([](const auto&, auto&) {}, nullptr));
+    EXPECT_EQ(whole, rooms_of(nullptr, &hierarchy));
 }
 
 TEST(SlowRealLogs, EachLogIsMappedAndCut) {

@@ -108,11 +108,17 @@ std::map<std::uint32_t, std::uint32_t> enclosing_regions(const RegionGraph& regi
     return host_of;
 }
 
+std::vector<std::uint32_t> regions_of_pieces(const RegionGraph& regions) {
+    std::vector<std::uint32_t> result(regions.num_pieces() + std::size_t{1}, 0);
+    for (std::uint32_t piece = 1; piece < result.size(); ++piece) {
+        result[piece] = regions.region_of(piece);
+    }
+    return result;
+}
+
 void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
              std::span<const Enclosure> enclosures, const Executor& executor) {
-    std::vector<std::uint32_t> now(regions.num_pieces() + std::size_t{1}, 0);
-    for (std::uint32_t piece = 1; piece < now.size(); ++piece)
-        now[piece] = regions.region_of(piece);
+    std::vector<std::uint32_t> now = regions_of_pieces(regions);
     const auto host_of = enclosing_regions(regions, enclosures);
     for (std::uint32_t& region : now) {
         const auto found = host_of.find(region);

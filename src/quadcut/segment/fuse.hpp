@@ -69,6 +69,9 @@ void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_wid
 [[nodiscard]] std::map<std::uint32_t, std::uint32_t> enclosing_regions(
     const RegionGraph& regions, std::span<const Enclosure> enclosures);
 
+/// By piece; nothing at 0, which is no piece.
+[[nodiscard]] std::vector<std::uint32_t> regions_of_pieces(const RegionGraph& regions);
+
 /// Each piece's cells get the number of its region, or of the one that encloses it.
 void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
              std::span<const Enclosure> enclosures = {}, const Executor& executor = {});

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/rooms.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "quadcut/map/flood.hpp"
 #include "quadcut/segment/fuse.hpp"
 #include "quadcut/segment/hierarchy.hpp"
+#include "quadcut/segment/label_tally.hpp"
 #include "quadcut/segment/open_space.hpp"
 #include "quadcut/segment/pieces.hpp"
 #include "quadcut/segment/regions.hpp"
@@ -30,18 +32,21 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
     return result;
 }
 
-/// `cut.rooms` holds the pieces at first. Of a window, `regions` look at the pieces as they were,
-/// so that ids stay; of a whole map at `cut.rooms` itself, where a region has the number of one of
-/// its pieces: what is measured after regions were connected and pockets adopted sees them so.
+/// `cut.rooms` holds the pieces at first. The finest regions are tidied; what they fuse into is
+/// measured before, since `regions` look at the pieces as they were, perhaps in that very raster.
 void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
     const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
     Fuser(regions, rule, executor).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
-    relabel(regions, labels, {}, executor);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
+    const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
+    std::optional<RegionGraph> finest_regions;
+    if (hierarchy != nullptr) finest_regions.emplace(regions);
+    Fuser(regions, rule, executor).fuse_below(fuse_threshold(options.granularity));
+    renumber(labels, finest, executor);
     connect_regions(labels, goes_on, executor);
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
@@ -51,9 +56,8 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     drop_without_floor(labels, floor.free, executor);
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
-        *hierarchy = build_hierarchy(labels, regions, rule, adoption.enclosures);
+        *hierarchy = build_hierarchy(labels, std::move(*finest_regions), rule, adoption.enclosures);
     }
-    Fuser(regions, rule, executor).fuse_below(fuse_threshold(options.granularity));
     relabel(regions, labels, adoption.enclosures, executor);
 }
 
@@ -71,10 +75,11 @@ RoomsCut cut_into_rooms(FloorToCut floor, const SegmentOptions& options, StageCl
                                 clock, executor, report);
     cut.rooms = std::move(pieces.labels);
     cut.num_pieces = pieces.count;
-    if (floor.add_beyond) cut.pieces = cut.rooms;
     clock.begin("graph");
     // A whole map may be so large that there is no room for both.
-    RegionGraph regions(floor.add_beyond ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
+    const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr;
+    if (keeps_pieces) cut.pieces = cut.rooms;
+    RegionGraph regions(keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
                         floor.resolution_m, executor);
     if (options.rooms.pieces == PieceSource::basins) {
         report.num_leaves = cut.num_pieces;
