@@ -22,10 +22,6 @@ struct UnsetAllocator : std::allocator<T> {
     UnsetAllocator() = default;
     template <typename U>
     explicit UnsetAllocator(const UnsetAllocator<U>& other) : std::allocator<T>(other) {}
-    template <typename U>
-    struct rebind {
-        using other = UnsetAllocator<U>;
-    };
     template <typename U, typename... Values>
     void construct(U* at, Values&&... values) {
         if constexpr (sizeof...(Values) != 0)

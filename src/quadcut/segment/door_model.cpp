@@ -121,10 +121,10 @@ std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing) {
 }
 
 double door_log_odds(const Narrowing& narrowing) {
-    static const std::array<FlatTree, kDoorTrees.size()> kTrees = flat_trees();
+    static const std::array<FlatTree, kDoorTrees.size()> trees = flat_trees();
     const std::array<float, kNumDoorCues> cues = door_cues(narrowing);
     double log_odds = kDoorBias;
-    for (const FlatTree& tree : kTrees) {
+    for (const FlatTree& tree : trees) {
         unsigned leaves = 0xFF;
         for (const FlatTree::Question& question : tree.questions) {
             const bool is_yes = cues[question.cue] <= question.threshold;

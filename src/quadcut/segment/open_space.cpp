@@ -48,7 +48,7 @@ public:
         for (int k = 0; k < kNumDirections; ++k) {
             const double angle = std::numbers::pi * k / kNumDirections;
             const Point along{std::cos(angle), std::sin(angle)};
-            directions_.push_back({way_along(along), way_along({-along.x, -along.y})});
+            directions_.emplace_back(way_along(along), way_along({-along.x, -along.y}));
         }
     }
 
