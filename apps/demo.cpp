@@ -9,6 +9,7 @@
 
 #include "apps/command.hpp"
 #include "apps/follow_session.hpp"
+#include "apps/followed_output.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
@@ -17,6 +18,7 @@
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/filmstrip.hpp"
+#include "io/format_version.hpp"
 #include "io/number_text.hpp"
 #include "io/results.hpp"
 #include "quadcut/base/stage_clock.hpp"
@@ -27,7 +29,7 @@ namespace quadcut {
 namespace {
 
 constexpr const char* kDefaultFolder = "quadcut_demo";
-constexpr const char* kTruthFolder = "simulation";
+constexpr const char* kTruthFolder = "simulation/";
 constexpr std::size_t kNumMoments = 8;
 
 std::vector<Point> positions(const std::vector<Scan>& scans) {
@@ -94,16 +96,32 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     return followed;
 }
 
-void write(const std::filesystem::path& folder, const Simulation& simulation,
-           const Followed& followed, const io::RoomScore& score, const io::RunInfo& info) {
+/// What is written beside the results of following.
+constexpr const char* kFilmstrip = "filmstrip.png";
+constexpr const char* kScore = "score.json";
+
+std::vector<std::string> files_of_demo() {
+    std::vector<std::string> files = followed_files();
+    files.insert(files.end(), {kFilmstrip, kScore});
+    for (const std::string& name : sim::simulation_files()) files.push_back(kTruthFolder + name);
+    return files;
+}
+
+std::string score_text(const io::RoomScore& score) {
+    std::string text = io::to_json(score) + "\n";
+    return text.insert(text.find('\n') + 1,
+                       " \"format_version\": " + std::to_string(io::kFormatVersion) + ",\n");
+}
+
+void write(io::FileBatch& output, const Simulation& simulation, const Followed& followed,
+           const io::RoomScore& score, const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    sim::write_simulation(folder / kTruthFolder, simulation.building, simulation.options,
-                          simulation.exploration);
-    io::write_map(folder, followed.robot.map);
-    io::write_results(folder, followed.robot.map, followed.rooms, info);
-    io::write_file_atomically(folder / "updates.jsonl", followed.updates);
-    io::write_file_atomically(folder / "filmstrip.png", io::render_filmstrip(followed.moments));
-    io::write_file_atomically(folder / "score.json", io::to_json(score) + "\n");
+    sim::add_simulation(output, simulation.building, simulation.options, simulation.exploration,
+                        kTruthFolder);
+    add_followed(output, followed.robot.map, followed.rooms, followed.updates, info);
+    output.add(kFilmstrip, io::render_filmstrip(followed.moments));
+    output.add(kScore, score_text(score));
+    output.commit();
 }
 
 void print_story(const std::string& folder, const Simulation& simulation, const RobotMap& robot,
@@ -122,12 +140,13 @@ void print_story(const std::string& folder, const Simulation& simulation, const 
               << percent(score.f1_50) << " of the rooms found, " << percent(score.cover)
               << " of their floor.\n"
               << "Look at " << folder << "/filmstrip.png, " << folder << "/rooms_color.png and "
-              << folder << "/rooms.svg; the truth is in " << folder << "/" << kTruthFolder << ".\n";
+              << folder << "/rooms.svg; the truth is in " << folder << "/" << kTruthFolder << "\n";
 }
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder = output_folder(arguments, kDefaultFolder);
+    io::FileBatch output = begin_output(arguments, files_of_demo(), {}, kDefaultFolder);
     SimulationChoice choice;
     set_fields(arguments, simulation_fields(choice));
     Progress progress(progress_style_of(arguments));
@@ -150,7 +169,7 @@ void run(const Arguments& arguments) {
     info.options = option_fields(segment_options);
     std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
     info.num_threads = static_cast<int>(options.segment.num_threads);
-    write(folder, simulation, followed, score, info);
+    write(output, simulation, followed, score, info);
 
     progress.wipe();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -168,7 +187,7 @@ Command demo_command() {
     form.name = "demo";
     form.text =
         "Simulates a furnished building, follows a robot in it, and compares rooms with the truth.";
-    form.flags = {output_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
+    form.flags = {output_flag(), force_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
     form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
     return {form, run};

@@ -14,6 +14,7 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/follow_session.hpp"
+#include "apps/followed_output.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
@@ -77,16 +78,19 @@ private:
     double start_s_ = 0.0;
 };
 
-std::vector<std::string> write(const std::filesystem::path& folder, const Follower& follower,
-                               const Segmentation& rooms, const std::string& updates,
-                               const io::RunInfo& info) {
+void write(io::FileBatch& output, const FollowSession& session, const Segmentation& rooms,
+           const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    const GridMap map = follower.map().to_grid();
-    io::write_map(folder, map);
-    io::write_results(folder, map, rooms, info);
-    io::write_file_atomically(folder / "updates.jsonl", updates);
-    return {"rooms_color.png", "rooms.svg",   "rooms.png", "rooms.yaml", "rooms.geojson",
-            "graph.json",      "report.json", "map.pgm",   "map.yaml",   "updates.jsonl"};
+    add_followed(output, session.follower().map().to_grid(), rooms, session.updates(), info);
+    output.commit();
+}
+
+/// A project is read and written all the time: no result may take its place.
+std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
+    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
+    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
+    if (const auto project = arguments.value("--project")) inputs.emplace_back(*project);
+    return inputs;
 }
 
 FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
@@ -101,7 +105,7 @@ FollowSession begin_session(const Arguments& arguments, const FollowOptions& opt
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
-    const std::filesystem::path folder = output_folder(arguments);
+    io::FileBatch output = begin_output(arguments, followed_files(), inputs_of(arguments));
     FollowOptions options;
     options.resolution_m = resolution_of(arguments).value_or(kLogResolution);
     PlayChoice play;
@@ -131,7 +135,7 @@ void run(const Arguments& arguments) {
         session.add_next();
         progress.update(session.num_done(), log.scans.size(), [&] { return session.story(); });
         if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
-            write(folder, follower, follower.rooms(), session.updates(), info);
+            write(output, session, follower.rooms(), info);
         }
     }
     session.finish();
@@ -148,14 +152,14 @@ void run(const Arguments& arguments) {
         rooms.report.warnings.push_back(std::move(warning));
     }
     progress.begin("write");
-    const std::vector<std::string> files = write(folder, follower, rooms, session.updates(), info);
+    write(output, session, rooms, info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
     device.print_notes(options.segment);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    print_summary(rooms, std::nullopt, elapsed.count(), io::display_name(folder), files,
-                  summary_style_of(arguments));
+    print_summary(rooms, std::nullopt, elapsed.count(), io::display_name(output_folder(arguments)),
+                  followed_files(), summary_style_of(arguments));
 }
 
 }  // namespace
@@ -171,6 +175,7 @@ Command follow_command() {
     form.operands = {"LOG"};
     form.flags = {
         output_flag(),
+        force_flag(),
         resolution_flag(),
         flag_of(more, "every", "N"),
         flag_of(more, "speed", "X"),

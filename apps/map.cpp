@@ -61,7 +61,9 @@ void print_json(const LogMap& log, const MapSummary& summary) {
 }
 
 void run(const Arguments& arguments) {
-    const std::filesystem::path folder = output_folder(arguments);
+    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
+    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
+    io::FileBatch output = begin_output(arguments, io::map_files(), std::move(inputs));
     const std::optional<double> resolution_m = resolution_of(arguments);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
@@ -71,10 +73,11 @@ void run(const Arguments& arguments) {
     clock.begin("write");
     {
         const Uninterrupted uninterrupted;
-        io::write_map(folder, log.map);
+        io::add_map(output, log.map);
+        output.commit();
     }
     MapSummary summary{area_m2(log.map, CellState::free), area_m2(log.map, CellState::occupied),
-                       0.0, io::display_name(folder)};
+                       0.0, io::display_name(output_folder(arguments))};
     for (const auto& [stage, ms] : clock.finish()) summary.elapsed_ms += ms;
 
     progress.wipe();
@@ -91,7 +94,8 @@ Command map_command() {
     form.name = "map";
     form.text = "Makes a map of a laser log (CARMEN, plain or .gz): map.pgm and map.yaml.";
     form.operands = {"LOG"};
-    form.flags = {output_flag(), resolution_flag(), poses_flag(), json_flag(), quiet_flag()};
+    form.flags = {output_flag(), force_flag(), resolution_flag(),
+                  poses_flag(),  json_flag(),  quiet_flag()};
     return {form, run};
 }
 

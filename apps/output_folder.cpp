@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
 
@@ -15,6 +16,7 @@ namespace quadcut {
 namespace {
 
 constexpr std::string_view kOutputFlag = "--output";
+constexpr std::string_view kForceFlag = "--force";
 
 void check_writable(const std::filesystem::path& folder) {
     const std::string name = io::display_name(folder);
@@ -40,17 +42,27 @@ Flag output_flag() {
             "the folder for the results; made if it is not there", true};
 }
 
-std::filesystem::path output_folder(const Arguments& arguments) {
-    std::filesystem::path folder = arguments.value(kOutputFlag).value();
-    check_writable(folder);
-    return folder;
+Flag force_flag() {
+    return {std::string(kForceFlag), "", "",
+            "writes over files of other programs in the folder, too; never over what is read"};
 }
 
 std::filesystem::path output_folder(const Arguments& arguments,
                                     const std::filesystem::path& otherwise) {
-    if (arguments.has(kOutputFlag)) return output_folder(arguments);
-    check_writable(otherwise);
-    return otherwise;
+    const std::optional<std::string> given = arguments.value(kOutputFlag);
+    return given ? std::filesystem::path(*given) : otherwise;
+}
+
+io::FileBatch begin_output(const Arguments& arguments, const std::vector<std::string>& files,
+                           std::vector<std::filesystem::path> inputs,
+                           const std::filesystem::path& otherwise) {
+    const std::filesystem::path folder = output_folder(arguments, otherwise);
+    check_writable(folder);
+    io::FileBatch batch(
+        folder, {std::move(inputs),
+                 arguments.has(kForceFlag) ? io::ForeignFiles::replace : io::ForeignFiles::refuse});
+    batch.require_free(files);
+    return batch;
 }
 
 }  // namespace quadcut

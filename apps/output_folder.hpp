@@ -3,20 +3,32 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/arguments.hpp"
+#include "io/file_batch.hpp"
 
 namespace quadcut {
 
 /// The flag `-o DIR`, required.
 [[nodiscard]] Flag output_flag();
 
-/// The folder that -o names. It is not made yet, but it is checked that it can be, so that a
-/// mistake shows before the work is done. Throws InputError when the folder or one above it is a
-/// file, and when it cannot be written to. @pre the flag was given
-[[nodiscard]] std::filesystem::path output_folder(const Arguments& arguments);
-/// The same with a folder to take when -o is missing.
+/// The flag `--force`.
+[[nodiscard]] Flag force_flag();
+
+/// The folder that -o names, or `otherwise`. @pre one of them is there
 [[nodiscard]] std::filesystem::path output_folder(const Arguments& arguments,
-                                                  const std::filesystem::path& otherwise);
+                                                  const std::filesystem::path& otherwise = {});
+
+/// What is going to be written into output_folder(). Nothing is made yet, but it is checked that
+/// all `files` can be, so that a mistake shows before the work is done. `inputs` are files that the
+/// run reads. Throws InputError when the folder or one above it is a file, when it cannot be
+/// written to, and as FileBatch::require_free().
+[[nodiscard]] io::FileBatch begin_output(const Arguments& arguments,
+                                         const std::vector<std::string>& files,
+                                         std::vector<std::filesystem::path> inputs = {},
+                                         const std::filesystem::path& otherwise = {});
 
 }  // namespace quadcut

@@ -61,6 +61,7 @@ void print_story(const reproduce::Report& report, const std::string& folder) {
 
 void run(const Arguments& arguments) {
     const std::filesystem::path folder = output_folder(arguments);
+    io::FileBatch output = begin_output(arguments, reproduce::main_files());
     reproduce::Options options;
     set_fields(arguments, reproduce_fields(options));
     options.data = data_of(arguments);
@@ -74,7 +75,8 @@ void run(const Arguments& arguments) {
         });
     {
         const Uninterrupted uninterrupted;
-        reproduce::write(report, folder);
+        reproduce::add_files(output, report);
+        output.commit();
     }
     progress.wipe();
     const SummaryStyle style = summary_style_of(arguments);
@@ -91,6 +93,7 @@ Command reproduce_command() {
     form.name = "reproduce";
     form.text = "Measures the paper's experiments again: an HTML page of figures and tables.";
     form.flags = {output_flag(),
+                  force_flag(),
                   {std::string(kDataFlag), "", "DIR",
                    "the folder with logs and rooms; simulated worlds if not given"},
                   {std::string(kSmallFlag), "", "", "small worlds: seconds, for a first look"},

@@ -3,7 +3,6 @@
 #include "quadcut/segment/segment.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -36,11 +35,6 @@ namespace {
 constexpr std::string_view kPreviousFlag = "--previous";
 constexpr std::string_view kHierarchyFlag = "--hierarchy";
 
-/// What io::write_results writes, first what people look at.
-constexpr std::array<const char*, 7> kResultFiles{"rooms_color.png", "rooms.svg",     "rooms.png",
-                                                  "rooms.yaml",      "rooms.geojson", "graph.json",
-                                                  "report.json"};
-
 /// What is cut, whether it came as a map or as a log.
 struct Input {
     GridMap map;
@@ -63,11 +57,13 @@ Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress
     return input;
 }
 
-Input read_map(const Arguments& arguments, StageClock& clock) {
+Input read_map(const Arguments& arguments, io::FileBatch& output, StageClock& clock) {
     clock.begin("read");
     io::MapReadOptions options;
     options.resolution_m = resolution_of(arguments);
     io::MapFile file = io::read_map(arguments.operands[0], options);
+    output.protect(file.image_path);
+    output.require_free(io::result_files());
     Input input;
     input.map = std::move(file.map);
     input.keys = std::move(file.keys);
@@ -111,18 +107,26 @@ std::vector<OptionField> without_threads(std::vector<OptionField> fields) {
     return fields;
 }
 
-/// Writes everything; the files written.
-std::vector<std::string> write(const std::filesystem::path& folder, const Input& input,
-                               const Segmentation& rooms, const io::RunInfo& info) {
+void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
+           const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    std::vector<std::string> files;
-    if (input.is_log) {
-        io::write_map(folder, input.map);
-        files = {"map.pgm", "map.yaml"};
-    }
-    io::write_results(folder, input.map, rooms, info);
-    files.insert(files.end(), kResultFiles.begin(), kResultFiles.end());
+    if (input.is_log) io::add_map(output, input.map);
+    io::add_results(output, input.map, rooms, info);
+    output.commit();
+}
+
+/// What the run will write: the map, too, when it is made of a log.
+std::vector<std::string> files_of(InputKind kind) {
+    std::vector<std::string> files = io::result_files();
+    if (kind == InputKind::map) return files;
+    for (std::string& file : io::map_files()) files.push_back(std::move(file));
     return files;
+}
+
+std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
+    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
+    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
+    return inputs;
 }
 
 /// The result whose ids and names are kept; read first, since the new one may take its place.
@@ -151,7 +155,6 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
-    const std::filesystem::path folder = output_folder(arguments);
     SegmentOptions options;
     const std::vector<OptionField> fields = option_fields(options);
     set_fields(arguments, fields);
@@ -161,10 +164,12 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
+    const InputKind kind = find_input_kind(arguments.operands[0]);
+    const std::vector<std::string> files = files_of(kind);
+    io::FileBatch output = begin_output(arguments, files, inputs_of(arguments));
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
-    Input input = find_input_kind(arguments.operands[0]) == InputKind::log
-                      ? read_log(arguments, clock, progress)
-                      : read_map(arguments, clock);
+    Input input = kind == InputKind::log ? read_log(arguments, clock, progress)
+                                         : read_map(arguments, output, clock);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info;
@@ -184,15 +189,15 @@ void run(const Arguments& arguments) {
     info.options = without_threads(fields);
     info.map_keys = input.keys;
     info.num_threads = static_cast<int>(options.num_threads);
-    const std::vector<std::string> files = write(folder, input, rooms, info);
+    write(output, input, rooms, info);
 
     progress.wipe();
     print_warnings(rooms.report.warnings);
     device.print_notes(options);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    print_summary(rooms, info.events, elapsed.count(), io::display_name(folder), files,
-                  summary_style_of(arguments));
+    print_summary(rooms, info.events, elapsed.count(), io::display_name(output_folder(arguments)),
+                  files, summary_style_of(arguments));
 }
 
 }  // namespace
@@ -205,6 +210,7 @@ Command segment_command() {
     form.text = "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) into rooms.";
     form.operands = {"MAP|LOG"};
     form.flags = {output_flag(),
+                  force_flag(),
                   resolution_flag(),
                   flag_of(fields, "preset", "NAME"),
                   flag_of(fields, "submaps", "K"),

@@ -18,15 +18,17 @@ namespace quadcut {
 namespace {
 
 void run(const Arguments& arguments) {
-    const std::filesystem::path folder = output_folder(arguments);
+    io::FileBatch output = begin_output(arguments, sim::simulation_files());
+    const std::string folder = io::display_name(output_folder(arguments));
     SimulationChoice choice;
     set_fields(arguments, simulation_fields(choice));
     Progress progress(progress_style_of(arguments));
     const Simulation simulation = simulate(choice, progress);
     {
         const Uninterrupted uninterrupted;
-        sim::write_simulation(folder, simulation.building, simulation.options,
-                              simulation.exploration);
+        sim::add_simulation(output, simulation.building, simulation.options,
+                            simulation.exploration);
+        output.commit();
     }
     progress.wipe();
     const std::size_t num_rooms = simulation.building.rooms.size();
@@ -35,8 +37,7 @@ void run(const Arguments& arguments) {
     const SummaryStyle style = summary_style_of(arguments);
     if (style == SummaryStyle::text) {
         std::cout << num_rooms << " rooms, " << num_doors << " doors; " << num_scans << " scans\n"
-                  << io::display_name(folder)
-                  << ": map.pgm map.yaml rooms.png truth.json robot.log true_poses.tum\n";
+                  << folder << ": map.pgm map.yaml rooms.png truth.json robot.log true_poses.tum\n";
     }
     if (style == SummaryStyle::json) {
         io::JsonWriter json;
@@ -44,7 +45,7 @@ void run(const Arguments& arguments) {
         json.key("rooms").integer(num_rooms);
         json.key("doors").integer(num_doors);
         json.key("scans").integer(num_scans);
-        json.key("output").text(io::display_name(folder));
+        json.key("output").text(folder);
         json.end_object();
         std::cout << json.finish();
     }
@@ -59,6 +60,7 @@ Command simulate_command() {
     form.name = "simulate";
     form.text = "Draws a building with its truth and the log of a robot that explores it.";
     form.flags = {output_flag(),
+                  force_flag(),
                   flag_of(fields, "seed", "S"),
                   flag_of(fields, "rooms", "N"),
                   flag_of(fields, "furniture", "F"),

@@ -12,6 +12,7 @@ namespace quadcut::reproduce {
 namespace {
 
 constexpr std::string_view kHead = R"(<!DOCTYPE html>
+<!-- Written by quadcut -->
 <html lang="en" xmlns="http://www.w3.org/1999/xhtml">
 <head>
 <meta charset="utf-8"/>

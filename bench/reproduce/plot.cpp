@@ -67,9 +67,10 @@ double tick(double range) {
 class Drawing {
 public:
     explicit Drawing(const std::string& title) {
-        svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(kWidth) +
-               "\" height=\"" + number(kHeight) + "\" viewBox=\"0 0 " + number(kWidth) + " " +
-               number(kHeight) + "\" role=\"img\">\n<title>" + escaped(title) +
+        svg_ = "<!-- Written by quadcut -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+               number(kWidth) + "\" height=\"" + number(kHeight) + "\" viewBox=\"0 0 " +
+               number(kWidth) + " " + number(kHeight) + "\" role=\"img\">\n<title>" +
+               escaped(title) +
                "</title>\n<style>\n"
                "text { font: 14px system-ui, 'DejaVu Sans', sans-serif; fill: #2d3642; }\n"
                ".title { font-weight: 600; font-size: 16px; } .soft { fill: #5d6874; }\n"

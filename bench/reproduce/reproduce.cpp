@@ -99,14 +99,14 @@ Report measure(const Options& options, const OnPart& on_part) {
     return report;
 }
 
-void write(const Report& report, const std::filesystem::path& folder) {
-    io::FileBatch files(folder);
+std::vector<std::string> main_files() { return {"index.html", "reproduce.json"}; }
+
+void add_files(io::FileBatch& files, const Report& report) {
     for (const Figure& figure : report.figures) {
         for (const Picture& picture : figure.pictures) files.add(picture.file, picture.bytes);
     }
     files.add("reproduce.json", to_json(report));
     files.add("index.html", html_page(report));
-    files.commit();
 }
 
 }  // namespace quadcut::reproduce

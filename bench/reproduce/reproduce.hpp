@@ -9,9 +9,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/reproduce/report.hpp"
 #include "bench/reproduce/world.hpp"
+#include "io/file_batch.hpp"
 
 namespace quadcut::reproduce {
 
@@ -33,9 +35,9 @@ using OnPart =
 /// Throws InputError when a file of the data is missing or cannot be read.
 [[nodiscard]] Report measure(const Options& options, const OnPart& on_part = {});
 
-/// Writes index.html, reproduce.json and the pictures into `folder`, which is made if need be. All
-/// are prepared under other names and put in place together, the page last. Throws InputError that
-/// names what cannot be written.
-void write(const Report& report, const std::filesystem::path& folder);
+/// The files of each report; its pictures have names of their own.
+[[nodiscard]] std::vector<std::string> main_files();
+/// Adds them and the pictures, the page last. Errors as FileBatch::add().
+void add_files(io::FileBatch& files, const Report& report);
 
 }  // namespace quadcut::reproduce

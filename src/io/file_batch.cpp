@@ -2,38 +2,91 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/file_batch.hpp"
 
+#include <cerrno>
+#include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include "io/authorship.hpp"
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
+namespace {
 
-FileBatch::FileBatch(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error) {
-        throw InputError(display_name(folder_) + ": the folder cannot be made: " + error.message());
+/// How a file was put in its place.
+enum class Placed : std::uint8_t { new_name, exchanged, replaced };
+
+/// Gives `from` the name `to`. What had it is then called `from`, where the file system can do
+/// that: so it can be put back.
+Placed put_in_place(const std::filesystem::path& from, const std::filesystem::path& to,
+                    std::error_code& error) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) {
+        return Placed::exchanged;
     }
+    const Placed placed = errno == ENOENT ? Placed::new_name : Placed::replaced;
+    std::filesystem::rename(from, to, error);
+    return placed;
 }
+
+}  // namespace
+
+FileBatch::FileBatch(std::filesystem::path folder, Protected keep)
+    : folder_(std::move(folder)), keep_(std::move(keep)) {}
 
 FileBatch::~FileBatch() {
     std::error_code ignored;
     for (const Entry& entry : entries_) std::filesystem::remove(entry.temporary, ignored);
+    // Only those that are empty go.
+    for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
+        std::filesystem::remove(*folder, ignored);
+    }
+}
+
+void FileBatch::require_free(std::span<const std::string> names) const {
+    for (const std::string& name : names) require_free(folder_ / name);
+}
+
+void FileBatch::require_free(const std::filesystem::path& path) const {
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) return;
+    if (std::filesystem::is_directory(path, error)) {
+        throw InputError(display_name(path) + ": cannot be written: it is a folder");
+    }
+    for (const std::filesystem::path& input : keep_.inputs) {
+        if (!std::filesystem::equivalent(path, input, error) || error) continue;
+        throw InputError(display_name(path) +
+                         ": is read by this run, and would be written over by its results: choose "
+                         "another folder with -o");
+    }
+    if (keep_.foreign == ForeignFiles::replace || is_own_file(path)) return;
+    throw InputError(display_name(path) +
+                     ": is there, and not written by quadcut: choose another folder with -o, or "
+                     "write over it with --force");
+}
+
+void FileBatch::make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+    make_folder(folder.parent_path());
+    if (std::filesystem::create_directory(folder, error)) new_folders_.push_back(folder);
+    // A path that ends in a slash was made with its parent; what another program made is as good.
+    if (error && !std::filesystem::is_directory(folder)) {
+        throw InputError(display_name(folder_) + ": the folder cannot be made: " + error.message());
+    }
 }
 
 void FileBatch::add(const std::string& name, std::string_view bytes) {
     Entry entry;
+    entry.name = name;
     entry.path = folder_ / name;
-    entry.temporary = folder_ / (name + ".new" + std::to_string(::getpid()));
-    std::error_code ignored;
-    if (std::filesystem::is_directory(entry.path, ignored)) {
-        throw InputError(display_name(entry.path) + ": cannot be written: it is a folder");
-    }
+    entry.temporary = entry.path.string() + ".new" + std::to_string(::getpid());
+    require_free(entry.path);
+    make_folder(entry.path.parent_path());
     try {
         write_file_atomically(entry.temporary, bytes);
     } catch (const InputError& error) {
@@ -46,15 +99,31 @@ void FileBatch::add(const std::string& name, std::string_view bytes) {
     entries_.push_back(std::move(entry));
 }
 
+std::vector<std::string> FileBatch::names() const {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries_) names.push_back(entry.name);
+    return names;
+}
+
 void FileBatch::commit() {
+    std::vector<Placed> placed;
     for (const Entry& entry : entries_) {
         std::error_code error;
-        std::filesystem::rename(entry.temporary, entry.path, error);
-        if (error) {
-            throw InputError(display_name(entry.path) + ": cannot be replaced: " + error.message());
+        placed.push_back(put_in_place(entry.temporary, entry.path, error));
+        if (!error) continue;
+        std::error_code ignored;
+        for (std::size_t i = 0; i + 1 < placed.size(); ++i) {
+            if (placed[i] == Placed::new_name) std::filesystem::remove(entries_[i].path, ignored);
+            if (placed[i] == Placed::exchanged) {
+                std::filesystem::rename(entries_[i].temporary, entries_[i].path, ignored);
+            }
         }
+        throw InputError(display_name(entry.path) + ": cannot be replaced: " + error.message());
     }
+    std::error_code ignored;
+    for (const Entry& entry : entries_) std::filesystem::remove(entry.temporary, ignored);
     entries_.clear();
+    new_folders_.clear();
 }
 
 }  // namespace quadcut::io

@@ -79,15 +79,16 @@ struct ImageBand {
 };
 using ImageBandSource = std::function<void(const ImageBand& band)>;
 
-/// Encodes a PNG without metadata, in bands of 64 rows: with several threads, the source is called
-/// from all of them, and the bands come in any order. The same bytes on any number of threads.
-/// About 2 ns a sample. @pre max_value is 255 or 65535, width and height are positive.
+/// Encodes a PNG that says who wrote it (io/authorship.hpp), in bands of 64 rows: with several
+/// threads, the source is called from all of them, and the bands come in any order. The same bytes
+/// on any number of threads. About 2 ns a sample. @pre max_value is 255 or 65535, width and height
+/// are positive.
 [[nodiscard]] std::string encode_png(const ImageHeader& header, const ImageRowSource& source,
                                      const Executor& executor = {});
 /// The same where rows are made several at a time, into bytes that are 0.
 [[nodiscard]] std::string encode_png_bands(const ImageHeader& header, const ImageBandSource& source,
                                            const Executor& executor = {});
-/// Encodes a binary PGM (P5), 8 or 16 bits by max_value. @pre one channel.
+/// Encodes a binary PGM (P5) that says who wrote it, 8 or 16 bits by max_value. @pre one channel.
 [[nodiscard]] std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source);
 
 /// Write atomically; errors as write_file_atomically.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/authorship.hpp"
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -166,9 +167,10 @@ std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source) 
         throw std::logic_error("encode_pgm: expected one channel, a size and a largest value");
     }
     const bool wide = header.max_value > kMaxByte;
-    std::string bytes = "P5\n" + std::to_string(header.width) + " " +
-                        std::to_string(header.height) + "\n" + std::to_string(header.max_value) +
-                        "\n";
+    std::string bytes = "P5\n# ";
+    bytes.append(kAuthorComment).append("\n");
+    bytes += std::to_string(header.width) + " " + std::to_string(header.height) + "\n" +
+             std::to_string(header.max_value) + "\n";
     bytes.reserve(bytes.size() +
                   header.row_samples() * static_cast<std::size_t>(header.height) * (wide ? 2 : 1));
     std::vector<std::uint16_t> row(header.row_samples());

@@ -8,6 +8,7 @@
 
 #include <zlib.h>
 
+#include "io/authorship.hpp"
 #include "io/image.hpp"
 
 namespace quadcut::io {
@@ -134,6 +135,7 @@ std::string encode_png_bands(const ImageHeader& header, const ImageBandSource& s
     constexpr std::string_view kStreamHeader = "\x78\x5E";
     std::string png(kSignature);
     append_chunk(png, "IHDR", header_chunk(header));
+    append_chunk(png, "tEXt", kAuthorChunk);
     uLong sum = adler32_z(0, nullptr, 0);
     bands.front().compressed.insert(0, kStreamHeader);
     for (std::size_t i = 0; i < bands.size(); ++i) {

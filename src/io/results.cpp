@@ -12,7 +12,6 @@
 #include <string>
 #include <utility>
 
-#include "io/file_batch.hpp"
 #include "io/floor_plan.hpp"
 #include "io/geojson.hpp"
 #include "io/graph_json.hpp"
@@ -126,17 +125,30 @@ std::vector<Rgb> room_colors(const Segmentation& segmentation,
     return choose_room_colors(kinds, near_rooms, kept);
 }
 
+std::vector<std::string> result_files() {
+    return {"rooms_color.png", "rooms.svg",  "rooms.png",  "rooms.yaml",
+            "rooms.geojson",   "graph.json", "report.json"};
+}
+
+std::vector<std::string> map_files() { return {"map.pgm", "map.yaml"}; }
+
 void write_results(const std::filesystem::path& folder, const GridMap& map,
                    const Segmentation& segmentation, const RunInfo& info) {
+    FileBatch batch(folder);
+    add_results(batch, map, segmentation, info);
+    batch.commit();
+}
+
+void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
+                 const RunInfo& info) {
     const auto start = std::chrono::steady_clock::now();
     check_map(map);
     const Raster<std::uint16_t>& labels = segmentation.labels;
     const bool covers_map = labels.origin == map.states.origin &&
                             labels.width == map.states.width && labels.height == map.states.height;
-    if (!covers_map) return write_results(folder, map, on_map(map, segmentation), info);
+    if (!covers_map) return add_results(batch, map, on_map(map, segmentation), info);
     check_rooms(segmentation);
 
-    FileBatch batch(folder);
     const std::vector<RoomPair> near_rooms = find_near_rooms(map, segmentation);
     const std::vector<Rgb> colors = room_colors(segmentation, near_rooms, info.previous_colors);
     MapKeys keys = info.map_keys;
@@ -163,10 +175,9 @@ void write_results(const std::filesystem::path& folder, const GridMap& map,
     const auto now = std::chrono::steady_clock::now();
     stages_ms.emplace_back("write", std::chrono::duration<double, std::milli>(now - start).count());
     batch.add("report.json", to_report_json(map, segmentation, info, stages_ms));
-    batch.commit();
 }
 
-void write_map(const std::filesystem::path& folder, const GridMap& map) {
+void add_map(FileBatch& batch, const GridMap& map, const std::string& folder) {
     check_map(map);
     constexpr std::uint16_t kOccupiedGrey = 0;
     constexpr std::uint16_t kFreeGrey = 254;
@@ -185,10 +196,8 @@ void write_map(const std::filesystem::path& folder, const GridMap& map) {
     };
     MapKeys keys;
     keys.image = "map.pgm";
-    FileBatch batch(folder);
-    batch.add(keys.image, encode_pgm(header, fill_row));
-    batch.add("map.yaml", to_map_yaml(map, keys));
-    batch.commit();
+    batch.add(folder + keys.image, encode_pgm(header, fill_row));
+    batch.add(folder + "map.yaml", to_map_yaml(map, keys));
 }
 
 }  // namespace quadcut::io

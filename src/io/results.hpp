@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "io/file_batch.hpp"
 #include "io/palette.hpp"
 #include "io/report.hpp"
 #include "io/room_pairs.hpp"
@@ -14,20 +15,27 @@
 
 namespace quadcut::io {
 
-/// Writes what a segmentation found into `folder`, which is made if need be:
+/// The files of a segmentation, first what people look at.
+[[nodiscard]] std::vector<std::string> result_files();
+/// The files of a map.
+[[nodiscard]] std::vector<std::string> map_files();
+
+/// Adds what a segmentation found to a batch:
 /// rooms.png (16-bit ids, the map image's size, 0 = no room), rooms.yaml (the map's keys, and the
 /// legend), rooms_color.png and rooms.svg (to look at), rooms.geojson, graph.json, report.json.
-/// All are prepared under other names and then put in place together; what an interrupted run
-/// leaves is whole. The time it takes is added to the report's stages as `write`.
-/// No rooms: the same files, empty. Throws InputError that names the path when the folder or a file
-/// in it cannot be written; std::logic_error when the map is empty, labels or doors name rooms that
-/// are not there, or ids are not different ones in 1 .. kMaxRoomId.
+/// The time it takes is added to the report's stages as `write`.
+/// No rooms: the same files, empty. Errors as FileBatch::add(); std::logic_error when the map is
+/// empty, labels or doors name rooms that are not there, or ids are not different ones in
+/// 1 .. kMaxRoomId.
+void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
+                 const RunInfo& info);
+/// A batch of nothing else, into a folder that is made if need be.
 void write_results(const std::filesystem::path& folder, const GridMap& map,
                    const Segmentation& segmentation, const RunInfo& info);
 
-/// Writes map.pgm (0 occupied, 254 free, 205 unknown) and map.yaml, which map_server reads back as
-/// the same map. Errors as write_results.
-void write_map(const std::filesystem::path& folder, const GridMap& map);
+/// Adds map.pgm (0 occupied, 254 free, 205 unknown) and map.yaml, which map_server reads back as
+/// the same map; `folder` is their place in the batch. Errors as add_results().
+void add_map(FileBatch& batch, const GridMap& map, const std::string& folder = {});
 
 /// Rooms that are drawn in clearly different colours: they touch, or lie across a wall.
 [[nodiscard]] std::vector<RoomPair> find_near_rooms(const GridMap& map,

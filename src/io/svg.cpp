@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/authorship.hpp"
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"
 #include "io/utf8.hpp"
@@ -171,9 +172,9 @@ std::string render_svg(const FloorPlan& plan) {
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\"" +
                       attribute("width", plan.page_width) + attribute("height", plan.page_height) +
                       attribute("data-format-version", std::to_string(kFormatVersion)) +
-                      " font-family=\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\">\n"
-                      "<rect width=\"100%\" height=\"100%\"" +
-                      attribute("fill", to_hex(kPaper)) + "/>\n";
+                      " font-family=\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\">\n<!-- ";
+    svg.append(kAuthorComment).append(" -->\n");
+    svg += "<rect width=\"100%\" height=\"100%\"" + attribute("fill", to_hex(kPaper)) + "/>\n";
     svg += "<g id=\"plan\" fill-rule=\"evenodd\"" +
            attribute("transform", "translate(" + rounded(plan.drawing_origin.x) + " " +
                                       rounded(plan.drawing_origin.y) + ") scale(" +

@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <system_error>
+#include <string_view>
 
-#include "io/file.hpp"
-#include "io/image.hpp"
+#include "io/authorship.hpp"
 #include "io/json_writer.hpp"
 #include "io/label_image.hpp"
 #include "io/number_text.hpp"
-#include "quadcut/base/error.hpp"
+#include "io/results.hpp"
 
 namespace quadcut::sim {
 namespace {
@@ -122,41 +121,16 @@ void add_door(io::JsonWriter& json, const TrueDoor& door) {
     json.key("is_open_passage").boolean(door.is_open_passage).end_object();
 }
 
-std::string encode_map(const GridMap& map) {
-    const io::ImageHeader header{map.states.width, map.states.height, 1, 255};
-    return io::encode_pgm(header, [&](std::int32_t y, std::span<std::uint16_t> samples) {
-        const std::int32_t row = map.states.origin.y + map.states.height - 1 - y;
-        for (std::size_t x = 0; x < samples.size(); ++x) {
-            const Cell cell{map.states.origin.x + static_cast<std::int32_t>(x), row};
-            // The greys of map_server.
-            switch (map.states.at(cell)) {
-                case CellState::occupied:
-                    samples[x] = 0;
-                    break;
-                case CellState::free:
-                    samples[x] = 254;
-                    break;
-                case CellState::unknown:
-                    samples[x] = 205;
-                    break;
-            }
-        }
-    });
-}
-
-std::string map_yaml(const GridMap& map) {
-    const Point corner = transform(map.map_from_image, {map.states.origin.x * map.resolution_m,
-                                                        map.states.origin.y * map.resolution_m});
-    return "image: map.pgm\nmode: trinary\nresolution: " + io::exact(map.resolution_m) +
-           "\norigin: [" + io::exact(corner.x) + ", " + io::exact(corner.y) + ", " +
-           io::exact(map.map_from_image.yaw_rad) +
-           "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+std::string comment_of(std::string_view what) {
+    std::string line = "# ";
+    line.append(io::kAuthorComment).append(": ").append(what);
+    return line + "\n";
 }
 
 }  // namespace
 
 std::string encode_carmen_log(std::span<const Scan> scans) {
-    std::string log = "# CARMEN log of a simulated robot\n";
+    std::string log = comment_of("a simulated robot, as a CARMEN log");
     for (const Scan& scan : scans) add_scan(log, scan);
     return log;
 }
@@ -165,7 +139,7 @@ std::string encode_true_poses(std::span<const Scan> scans, std::span<const Pose>
     if (scans.size() != poses.size()) {
         throw std::logic_error("encode_true_poses: expected one pose a scan");
     }
-    std::string text = "# time x y z qx qy qz qw\n";
+    std::string text = comment_of("time x y z qx qy qz qw");
     for (std::size_t i = 0; i < scans.size(); ++i) {
         io::append_rounded(text, scans[i].time_s, kMicrometreDecimals);
         add(text, poses[i].x);
@@ -201,21 +175,19 @@ std::string encode_truth(const Building& building, const BuildingOptions& option
     return json.finish();
 }
 
-void write_simulation(const std::filesystem::path& folder, const Building& building,
-                      const BuildingOptions& options, const Exploration& exploration) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        throw InputError(io::display_name(folder) + ": cannot make the folder: " + error.message());
-    }
-    io::write_file_atomically(folder / "map.pgm", encode_map(building.map));
-    io::write_file_atomically(folder / "map.yaml", map_yaml(building.map));
-    io::write_file_atomically(folder / "rooms.png", io::encode_label_png(building.labels));
-    io::write_file_atomically(folder / "truth.json", encode_truth(building, options));
+std::vector<std::string> simulation_files() {
+    return {"map.pgm", "map.yaml", "rooms.png", "truth.json", "robot.log", "true_poses.tum"};
+}
+
+void add_simulation(io::FileBatch& batch, const Building& building, const BuildingOptions& options,
+                    const Exploration& exploration, const std::string& folder) {
+    io::add_map(batch, building.map, folder);
+    batch.add(folder + "rooms.png", io::encode_label_png(building.labels));
+    batch.add(folder + "truth.json", encode_truth(building, options));
     if (exploration.scans.empty()) return;
-    io::write_file_atomically(folder / "robot.log", encode_carmen_log(exploration.scans));
-    io::write_file_atomically(folder / "true_poses.tum",
-                              encode_true_poses(exploration.scans, exploration.true_poses));
+    batch.add(folder + "robot.log", encode_carmen_log(exploration.scans));
+    batch.add(folder + "true_poses.tum",
+              encode_true_poses(exploration.scans, exploration.true_poses));
 }
 
 }  // namespace quadcut::sim

@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "io/file_batch.hpp"
 #include "quadcut/map/scan.hpp"
 #include "sim/building.hpp"
 #include "sim/robot.hpp"
@@ -24,15 +25,18 @@ namespace quadcut::sim {
 /// Rooms, doors and the options that made them, as JSON in metres of the map frame.
 [[nodiscard]] std::string encode_truth(const Building& building, const BuildingOptions& options);
 
-/// Writes into a folder, which is made when missing:
+/// The files of a simulation with scans.
+[[nodiscard]] std::vector<std::string> simulation_files();
+
+/// Adds to a batch, in a folder of it ("simulation/"):
 ///   map.pgm, map.yaml    what a perfect survey draws, furniture included (map_server)
 ///   rooms.png            true rooms: 16 bits, 0 = none, otherwise the id
 ///   truth.json           rooms with kind, doors with jambs, options
 /// and, when there are scans,
 ///   robot.log            CARMEN log with the poses as reported
 ///   true_poses.tum       the true poses of the scans
-/// Each file is written as a whole or not at all. Throws InputError when one cannot be.
-void write_simulation(const std::filesystem::path& folder, const Building& building,
-                      const BuildingOptions& options, const Exploration& exploration);
+/// Errors as FileBatch::add().
+void add_simulation(io::FileBatch& batch, const Building& building, const BuildingOptions& options,
+                    const Exploration& exploration, const std::string& folder = {});
 
 }  // namespace quadcut::sim

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "io/authorship.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
@@ -14,6 +15,9 @@ namespace {
 
 using test::error_of;
 using test::ScratchFolder;
+
+/// A file of ours.
+const std::string kOwn(kAuthorComment);
 
 TEST(FileBatch, ShowsItsFilesTogether) {
     const ScratchFolder scratch;
@@ -30,22 +34,22 @@ TEST(FileBatch, ShowsItsFilesTogether) {
 
 TEST(FileBatch, GivenUpLeavesEverythingAsItWas) {
     const ScratchFolder scratch;
-    scratch.write("a.txt", "old");
+    scratch.write("a.txt", kOwn);
     {
         FileBatch batch(scratch.path());
         batch.add("a.txt", "new");
-        batch.add("b.txt", "new");
+        batch.add("folder/deeper/b.txt", "new");
     }
     EXPECT_EQ(scratch.names(), std::vector<std::string>{"a.txt"});
-    EXPECT_EQ(read_file(scratch.path() / "a.txt"), "old");
+    EXPECT_EQ(read_file(scratch.path() / "a.txt"), kOwn);
 }
 
 TEST(FileBatch, NamesAFolderThatIsAFile) {
     const ScratchFolder scratch;
     const auto file = scratch.write("file", "x");
-    const std::string message = error_of([&] { FileBatch batch(file); });
+    const std::string message = error_of([&] { FileBatch(file).add("a.txt", "new"); });
     EXPECT_NE(message.find(file.string()), std::string::npos) << message;
-    const std::string below = error_of([&] { FileBatch batch(file / "below"); });
+    const std::string below = error_of([&] { FileBatch(file / "below").add("a.txt", "new"); });
     EXPECT_NE(below.find((file / "below").string()), std::string::npos) << below;
 }
 
@@ -76,6 +80,56 @@ TEST(FileBatch, NamesAFileThatCannotBe) {
     const std::string message = error_of([&] { batch.add(name, "new"); });
     EXPECT_EQ(message.find((scratch.path() / name).string() + ": "), 0U) << message;
     EXPECT_TRUE(scratch.names().empty());
+}
+
+TEST(FileBatch, TakesThePlaceOfOwnFilesOnly) {
+    const ScratchFolder scratch;
+    scratch.write("own.yaml", "image: x\nformat_version: 1\n");
+    const auto foreign = scratch.write("foreign.yaml", "image: x\n");
+    const std::vector<std::string> names{"own.yaml", "new.yaml", "foreign.yaml"};
+    FileBatch batch(scratch.path());
+    batch.require_free({names.data(), 2});
+    batch.add("own.yaml", "new");
+    for (const std::string& message : {error_of([&] { batch.require_free(names); }),
+                                       error_of([&] { batch.add("foreign.yaml", "new"); })}) {
+        EXPECT_EQ(message.find(foreign.string() + ": "), 0U) << message;
+        EXPECT_NE(message.find("--force"), std::string::npos) << message;
+    }
+    FileBatch forced(scratch.path(), {{}, ForeignFiles::replace});
+    forced.add("foreign.yaml", "new");
+    forced.commit();
+    EXPECT_EQ(read_file(foreign), "new");
+}
+
+TEST(FileBatch, NeverTakesThePlaceOfAnInputWhateverItIsCalled) {
+    const ScratchFolder scratch;
+    const auto input = scratch.write("input", kOwn);
+    std::filesystem::create_symlink("input", scratch.path() / "link");
+    std::filesystem::create_hard_link(input, scratch.path() / "twin");
+    std::filesystem::create_directory_symlink(".", scratch.path() / "here");
+    const FileBatch batch(scratch.path(),
+                          {{scratch.path() / "gone", input}, ForeignFiles::replace});
+    for (const std::string name : {"input", "link", "twin", "here/input", "./input"}) {
+        const std::string message = error_of([&] { batch.require_free({&name, 1}); });
+        EXPECT_EQ(message.find((scratch.path() / name).string() + ": is read"), 0U)
+            << name << ": " << message;
+    }
+}
+
+TEST(FileBatch, PutsBackWhatItHasReplacedWhenOneCannotBe) {
+    const ScratchFolder scratch;
+    scratch.write("a.txt", kOwn);
+    FileBatch batch(scratch.path());
+    batch.add("a.txt", "new");
+    batch.add("b.txt", "new");
+    batch.add("c.txt", "new");
+    for (const std::string& name : scratch.names()) {
+        if (name.rfind("c.txt", 0) == 0) std::filesystem::remove(scratch.path() / name);
+    }
+    const std::string message = error_of([&] { batch.commit(); });
+    EXPECT_EQ(message.find((scratch.path() / "c.txt").string() + ": "), 0U) << message;
+    EXPECT_EQ(read_file(scratch.path() / "a.txt"), kOwn);
+    EXPECT_FALSE(std::filesystem::exists(scratch.path() / "b.txt"));
 }
 
 }  // namespace

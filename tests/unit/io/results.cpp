@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/authorship.hpp"
 #include "io/image.hpp"
 #include "io/map_server.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
@@ -58,6 +59,7 @@ TEST(Results, AreAllThereAndNothingElse) {
     const test::DrawnFloor floor = two_rooms();
     write_results(folder.path(), floor.map, floor.segmentation, {});
     EXPECT_EQ(sorted_names(folder), kFiles);
+    for (const std::string& name : kFiles) EXPECT_TRUE(is_own_file(folder.path() / name)) << name;
 }
 
 TEST(Results, LabelsAreTheRoomsOfTheMapImage) {
@@ -209,6 +211,8 @@ TEST(Results, OfNoRoomsAreValid) {
         const test::DrawnFloor floor = test::drawn_floor(rows);
         write_results(folder.path(), floor.map, floor.segmentation, {});
         EXPECT_EQ(sorted_names(folder), kFiles);
+        for (const std::string& name : kFiles)
+            EXPECT_TRUE(is_own_file(folder.path() / name)) << name;
         EXPECT_EQ(json::parse(read_file(folder.path() / "rooms.geojson"))["features"].size(), 0U);
         EXPECT_EQ(json::parse(read_file(folder.path() / "graph.json"))["nodes"].size(), 0U);
         EXPECT_NE(read_file(folder.path() / "rooms.yaml").find("labels: []"), std::string::npos);
@@ -263,8 +267,6 @@ TEST(Results, KeepTheOldOnesWhenTheFolderIsAFile) {
         test::error_of([&] { write_results(file, floor.map, floor.segmentation, {}); });
     EXPECT_NE(message.find(file.string()), std::string::npos) << message;
     EXPECT_EQ(read_file(file), "mine");
-    EXPECT_NE(test::error_of([&] { write_map(file, floor.map); }).find(file.string()),
-              std::string::npos);
 }
 
 TEST(Results, NameAFolderThatCannotBeMade) {
@@ -277,22 +279,25 @@ TEST(Results, NameAFolderThatCannotBeMade) {
 
 TEST(Results, KeepTheOldOnesWhenOneCannotBeWritten) {
     const ScratchFolder folder;
-    folder.write("rooms.png", "old");
+    folder.write("rooms.png", kAuthorComment);
     folder.write("report.json/in the way", "x");
     const test::DrawnFloor floor = two_rooms();
     const std::string message =
         test::error_of([&] { write_results(folder.path(), floor.map, floor.segmentation, {}); });
     EXPECT_NE(message.find("report.json"), std::string::npos) << message;
     EXPECT_EQ(sorted_names(folder), (std::vector<std::string>{"report.json", "rooms.png"}));
-    EXPECT_EQ(read_file(folder.path() / "rooms.png"), "old");
+    EXPECT_EQ(read_file(folder.path() / "rooms.png"), kAuthorComment);
 }
 
 TEST(MapFiles, ReadBackAsTheSameMap) {
     const ScratchFolder folder;
     GridMap map = test::drawn_floor({"#. a", " ..#"}, 2, 0.07).map;
     map.map_from_image = {-12.3, 0.1, -0.7};
-    write_map(folder.path(), map);
-    EXPECT_EQ(sorted_names(folder), (std::vector<std::string>{"map.pgm", "map.yaml"}));
+    FileBatch batch(folder.path());
+    add_map(batch, map);
+    batch.commit();
+    EXPECT_EQ(sorted_names(folder), map_files());
+    for (const std::string& name : map_files()) EXPECT_TRUE(is_own_file(folder.path() / name));
     const MapFile read = read_map(folder.path() / "map.yaml");
     EXPECT_EQ(read.map.states.values, map.states.values);
     EXPECT_EQ(read.map.resolution_m, map.resolution_m);

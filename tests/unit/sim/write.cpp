@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/authorship.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
 #include "io/image.hpp"
@@ -71,7 +72,10 @@ TEST(WriteSimulation, FolderHoldsMapTruthAndLog) {
     const Building building = generate_building(options);
     const Exploration exploration = explore(building.map, start_pose(building), robot(180.0, 1.0));
     const std::filesystem::path folder = scratch.path() / "new" / "folder";
-    write_simulation(folder, building, options, exploration);
+    io::FileBatch batch(folder);
+    add_simulation(batch, building, options, exploration);
+    EXPECT_EQ(batch.names(), simulation_files());
+    batch.commit();
 
     const io::MapFile map = io::read_map(folder / "map.yaml");
     EXPECT_TRUE(map.warnings.empty());
@@ -109,18 +113,23 @@ TEST(WriteSimulation, FolderHoldsMapTruthAndLog) {
 
 TEST(WriteSimulation, WithoutScansThereIsNoLog) {
     const io::test::ScratchFolder scratch;
-    write_simulation(scratch.path(), paper_workplace(), {}, {});
+    io::FileBatch batch(scratch.path());
+    add_simulation(batch, paper_workplace(), {}, {});
+    batch.commit();
     const std::vector<std::string> names = scratch.names();
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
               (std::set<std::string>{"map.pgm", "map.yaml", "rooms.png", "truth.json"}));
 }
 
-TEST(WriteSimulation, UnwritableFolderIsNamed) {
+TEST(WriteSimulation, SaysWhoWroteIt) {
     const io::test::ScratchFolder scratch;
-    scratch.write("file", "no folder");
-    const std::string error = io::test::error_of(
-        [&] { write_simulation(scratch.path() / "file" / "x", paper_workplace(), {}, {}); });
-    EXPECT_NE(error.find("file/x"), std::string::npos) << error;
+    const Exploration one{{Scan{}}, {Pose{}}};
+    io::FileBatch batch(scratch.path());
+    add_simulation(batch, paper_workplace(), {}, one);
+    batch.commit();
+    for (const std::string& name : simulation_files()) {
+        EXPECT_TRUE(io::is_own_file(scratch.path() / name)) << name;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/file_batch.hpp"
+#include "io/report.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut {
+
+/// The files that come of following a robot.
+[[nodiscard]] std::vector<std::string> followed_files();
+
+/// Adds them: the map, its rooms, and the lines of updates.jsonl. Errors as io::add_results().
+void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,
+                  const std::string& updates, const io::RunInfo& info);
+
+}  // namespace quadcut
