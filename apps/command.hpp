@@ -19,6 +19,8 @@ struct Command {
 [[nodiscard]] Command segment_command();
 [[nodiscard]] Command map_command();
 [[nodiscard]] Command follow_command();
+[[nodiscard]] Command rooms_command();
+[[nodiscard]] Command export_command();
 [[nodiscard]] Command locate_command();
 [[nodiscard]] Command edit_command();
 [[nodiscard]] Command score_command();

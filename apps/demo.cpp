@@ -9,11 +9,12 @@
 
 #include "apps/command.hpp"
 #include "apps/follow_session.hpp"
-#include "apps/followed_output.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
+#include "apps/run_output.hpp"
 #include "apps/simulated_robot.hpp"
+#include "apps/summary.hpp"
 #include "apps/truth_score.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
@@ -162,18 +163,18 @@ void run(const Arguments& arguments) {
     const io::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
-    io::RunInfo info;
-    info.version = QUADCUT_VERSION;
-    info.input = "simulation, seed " + std::to_string(choice.seed);
     SegmentOptions segment_options = options.segment;
-    info.options = option_fields(segment_options);
-    std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
-    info.num_threads = static_cast<int>(options.segment.num_threads);
+    io::RunInfo info = run_info_of(segment_options);
+    info.input = "simulation, seed " + std::to_string(choice.seed);
     write(output, simulation, followed, score, info);
 
     progress.wipe();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (summary_style_of(arguments) == SummaryStyle::text) {
+    const SummaryStyle style = summary_style_of(arguments);
+    if (style == SummaryStyle::json) {
+        print_summary({rooms, {}, start, io::display_name(folder), files_of_demo()}, style);
+    }
+    if (style == SummaryStyle::text) {
         print_story(io::display_name(folder), simulation, robot, rooms, score, elapsed.count());
     }
 }
@@ -187,7 +188,8 @@ Command demo_command() {
     form.name = "demo";
     form.text =
         "Simulates a furnished building, follows a robot in it, and compares rooms with the truth.";
-    form.flags = {output_flag(), force_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
+    form.flags = {output_flag(), force_flag(), flag_of(fields, "seed", "S"), json_flag(),
+                  quiet_flag()};
     form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
     return {form, run};

@@ -14,18 +14,19 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/follow_session.hpp"
-#include "apps/followed_output.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
+#include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/results.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/segment/no_rooms.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -120,13 +121,9 @@ void run(const Arguments& arguments) {
     const PosedLog log = read_posed_log(arguments.operands[0], poses_of(arguments), clock);
 
     clock.begin("follow");
-    io::RunInfo info;
-    info.version = QUADCUT_VERSION;
+    io::RunInfo info = run_info_of(options.segment);
     info.input = arguments.operands[0];
     info.input_hash = log.content_hash;
-    info.options = option_fields(options.segment);
-    std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
-    info.num_threads = static_cast<int>(options.segment.num_threads);
     FollowSession session = begin_session(arguments, options, log);
     const Follower& follower = session.follower();
     Pace pace(play.speed);
@@ -151,15 +148,16 @@ void run(const Arguments& arguments) {
     for (std::string& warning : session.warnings()) {
         rooms.report.warnings.push_back(std::move(warning));
     }
+    if (rooms.rooms.empty()) {
+        rooms.report.warnings.push_back(why_no_rooms(follower.map().to_grid(), options.segment));
+    }
     progress.begin("write");
     write(output, session, rooms, info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
     device.print_notes(options.segment);
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    print_summary(rooms, std::nullopt, elapsed.count(), io::display_name(output_folder(arguments)),
-                  followed_files(), summary_style_of(arguments));
+    print_summary({rooms, {}, start, io::display_name(output_folder(arguments)), followed_files()},
+                  summary_style_of(arguments));
 }
 
 }  // namespace

@@ -14,14 +14,15 @@ namespace quadcut {
 namespace {
 
 constexpr std::size_t kTextColumn = 12;
-constexpr std::array<std::string_view, 4> kPlannedCommands{"export", "serve", "ros2", "batch"};
+constexpr std::array<std::string_view, 3> kPlannedCommands{"serve", "ros2", "batch"};
 
 }  // namespace
 
 std::vector<Command> commands() {
-    return {segment_command(),   map_command(),     follow_command(),   locate_command(),
-            edit_command(),      score_command(),   simulate_command(), demo_command(),
-            reproduce_command(), options_command(), version_command()};
+    return {segment_command(),  map_command(),  follow_command(),    rooms_command(),
+            locate_command(),   edit_command(), export_command(),    score_command(),
+            simulate_command(), demo_command(), reproduce_command(), options_command(),
+            version_command()};
 }
 
 std::string help_text() {

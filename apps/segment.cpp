@@ -18,6 +18,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
+#include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
@@ -101,12 +102,6 @@ void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
     }
 }
 
-/// The options that decide the result; those of the report.
-std::vector<OptionField> without_threads(std::vector<OptionField> fields) {
-    std::erase_if(fields, [](const OptionField& field) { return field.name == "threads"; });
-    return fields;
-}
-
 void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
            const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
@@ -172,7 +167,7 @@ void run(const Arguments& arguments) {
                                          : read_map(arguments, output, clock);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
-    io::RunInfo info;
+    io::RunInfo info = run_info_of(options);
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });
     if (previous) {
@@ -183,21 +178,16 @@ void run(const Arguments& arguments) {
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
     progress.begin("write");
-    info.version = QUADCUT_VERSION;
     info.input = arguments.operands[0];
     info.input_hash = input.content_hash;
-    info.options = without_threads(fields);
     info.map_keys = input.keys;
-    info.num_threads = static_cast<int>(options.num_threads);
     write(output, input, rooms, info);
 
     progress.wipe();
     print_warnings(rooms.report.warnings);
     device.print_notes(options);
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    print_summary(rooms, info.events, elapsed.count(), io::display_name(output_folder(arguments)),
-                  files, summary_style_of(arguments));
+    print_summary({rooms, info.events, start, io::display_name(output_folder(arguments)), files},
+                  summary_style_of(arguments));
 }
 
 }  // namespace

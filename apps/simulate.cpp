@@ -42,9 +42,10 @@ void run(const Arguments& arguments) {
     if (style == SummaryStyle::json) {
         io::JsonWriter json;
         json.begin_object(io::JsonLayout::lines);
-        json.key("rooms").integer(num_rooms);
-        json.key("doors").integer(num_doors);
+        json.key("num_rooms").integer(num_rooms);
+        json.key("num_doors").integer(num_doors);
         json.key("scans").integer(num_scans);
+        sim::write_rooms_and_doors(json, simulation.building);
         json.key("output").text(folder);
         json.end_object();
         std::cout << json.finish();

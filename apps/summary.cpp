@@ -4,9 +4,12 @@
 
 #include <iostream>
 
+#include <unistd.h>
+
 #include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "io/room_events.hpp"
+#include "io/room_list.hpp"
 
 namespace quadcut {
 namespace {
@@ -21,34 +24,38 @@ std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-void print_text(const Segmentation& rooms, const std::optional<std::vector<RoomEvent>>& events,
-                double elapsed_ms, const std::string& folder,
-                const std::vector<std::string>& files) {
-    std::cout << counted(rooms.rooms.size(), "room") << ", " << counted(rooms.doors.size(), "door")
-              << ", " << io::rounded(area_m2(rooms), 1) << " m²; " << io::rounded(elapsed_ms, 0)
-              << " ms\n";
-    if (events) std::cout << io::events_text(*events) << "\n";
-    std::cout << folder << ":";
-    for (const std::string& file : files) std::cout << " " << file;
-    std::cout << "\n";
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
-void print_json(const Segmentation& rooms, const std::optional<std::vector<RoomEvent>>& events,
-                double elapsed_ms, const std::string& folder,
-                const std::vector<std::string>& files) {
+void print_text(const RunSummary& run) {
+    const Segmentation& rooms = run.rooms;
+    std::cout << counted(rooms.rooms.size(), "room") << ", " << counted(rooms.doors.size(), "door")
+              << ", " << io::rounded(area_m2(rooms), 1) << " m²; "
+              << io::rounded(ms_since(run.begun_at), 0) << " ms\n";
+    if (run.events) std::cout << io::events_text(*run.events) << "\n";
+    if (is_for_people() && !rooms.rooms.empty()) {
+        std::cout << "\n" << io::room_table(rooms, kMaxTableRows) << "\n";
+    }
+    std::cout << run.folder << ":";
+    for (const std::string& file : run.files) std::cout << " " << file;
+    std::cout << "\n";
+    if (is_for_people()) std::cout << "open " << run.folder << "/rooms.svg\n";
+}
+
+void print_json(const RunSummary& run) {
     io::JsonWriter json;
     json.begin_object(io::JsonLayout::lines);
-    json.key("rooms").integer(rooms.rooms.size());
-    json.key("doors").integer(rooms.doors.size());
-    json.key("area_m2").number(area_m2(rooms));
-    if (events) {
+    io::write_rooms_and_doors(json, run.rooms);
+    if (run.events) {
         json.key("previous");
-        io::write_events(json, *events);
+        io::write_events(json, *run.events);
     }
-    json.key("elapsed_ms").number(elapsed_ms);
-    json.key("output").text(folder);
+    json.key("elapsed_ms").number(ms_since(run.begun_at));
+    json.key("output").text(run.folder);
     json.key("files").begin_array();
-    for (const std::string& file : files) json.text(file);
+    for (const std::string& file : run.files) json.text(file);
     json.end_array();
     json.end_object();
     std::cout << json.finish();
@@ -56,11 +63,11 @@ void print_json(const Segmentation& rooms, const std::optional<std::vector<RoomE
 
 }  // namespace
 
-void print_summary(const Segmentation& rooms, const std::optional<std::vector<RoomEvent>>& events,
-                   double elapsed_ms, const std::string& folder,
-                   const std::vector<std::string>& files, SummaryStyle style) {
-    if (style == SummaryStyle::text) print_text(rooms, events, elapsed_ms, folder, files);
-    if (style == SummaryStyle::json) print_json(rooms, events, elapsed_ms, folder, files);
+bool is_for_people() { return ::isatty(STDOUT_FILENO) == 1; }
+
+void print_summary(const RunSummary& run, SummaryStyle style) {
+    if (style == SummaryStyle::text) print_text(run);
+    if (style == SummaryStyle::json) print_json(run);
 }
 
 }  // namespace quadcut

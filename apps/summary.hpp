@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +14,22 @@
 
 namespace quadcut {
 
-/// Prints what a segmentation found, what became of the rooms of an earlier one if there was one,
-/// how long the run took and where the files are.
-void print_summary(const Segmentation& rooms, const std::optional<std::vector<RoomEvent>>& events,
-                   double elapsed_ms, const std::string& folder,
-                   const std::vector<std::string>& files, SummaryStyle style);
+/// The most rooms that a table on a terminal shows.
+inline constexpr std::size_t kMaxTableRows = 20;
+/// Whether standard output is a terminal, where a person reads.
+[[nodiscard]] bool is_for_people();
+
+/// What a run has to say at its end.
+struct RunSummary {
+    const Segmentation& rooms;
+    /// What became of the rooms of an earlier result, if there was one.
+    std::optional<std::vector<RoomEvent>> events;
+    std::chrono::steady_clock::time_point begun_at;
+    std::string folder;
+    std::vector<std::string> files;
+};
+
+/// Prints it, on a terminal with a table of the rooms.
+void print_summary(const RunSummary& run, SummaryStyle style);
 
 }  // namespace quadcut

@@ -19,6 +19,9 @@
 namespace quadcut::io {
 namespace {
 
+/// So that whoever reads a width and rounds it for people gets what is rounded here.
+constexpr int kWidthDecimals = 9;
+
 /// The connected parts of each region 1 .. count, in order of regions.
 std::vector<std::vector<RegionOutline>> trace_regions(const Raster<std::uint16_t>& labels,
                                                       std::size_t count) {
@@ -83,6 +86,8 @@ public:
         json_.key("a").integer(index(door.a));
         json_.key("b").integer(index(door.b));
         json_.key("width_m").number(door.width_m);
+        json_.key("room_a_width_m").number(door.room_a_width_m, kWidthDecimals);
+        json_.key("room_b_width_m").number(door.room_b_width_m, kWidthDecimals);
         json_.key("confidence").number(door.confidence);
         json_.key("reason").text(reason_of(door));
         json_.end_object();

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/fields.hpp"
 #include "io/file.hpp"
 #include "io/format_version.hpp"
 #include "io/image.hpp"
@@ -34,6 +35,23 @@ RoomKind kind_of(const YamlKeys& keys) {
         if (text == to_text(kind)) return kind;
     }
     keys.fail(keys.require("kind"), "kind", "room, corridor, hall or unknown");
+}
+
+/// The origin where there is none.
+Point point_of(const YamlKeys& keys, std::string_view key) {
+    const YamlNode* node = keys.find(key);
+    if (node == nullptr) return {};
+    std::array<std::optional<double>, 2> values;
+    if (node->kind == YamlKind::list && node->items.size() == values.size()) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const YamlNode& item = node->items[i];
+            if (item.kind == YamlKind::scalar) values[i] = parse_number(item.text);
+        }
+    }
+    if (values[0] && values[1] && std::isfinite(*values[0]) && std::isfinite(*values[1])) {
+        return {*values[0], *values[1]};
+    }
+    keys.fail(*node, key, "a point [x, y]");
 }
 
 std::optional<Rgb> color_of(const YamlKeys& keys) {
@@ -96,6 +114,8 @@ RoomsLegend parse_rooms_yaml(std::string_view bytes, const std::string& name) {
         room.id = RoomId{ids.read(room_keys, "id")};
         room.name = room_keys.text("name");
         room.kind = kind_of(room_keys);
+        room.centroid = point_of(room_keys, "centroid");
+        room.label_point = point_of(room_keys, "label_point");
         if (const std::optional<Rgb> color = color_of(room_keys)) legend.colors[room.id] = *color;
         highest_id = std::max(highest_id, static_cast<std::uint32_t>(room.id));
         legend.rooms.push_back(std::move(room));

@@ -19,7 +19,7 @@ namespace quadcut::io {
 /// What a rooms.yaml says of the rooms.
 struct RoomsLegend {
     MapKeys map_keys;
-    /// With id, name and kind.
+    /// Without area.
     std::vector<Room> rooms;
     /// Of each room, its value in the label image.
     std::vector<std::uint16_t> values;
@@ -28,10 +28,11 @@ struct RoomsLegend {
 };
 
 /// Reads a rooms.yaml as to_rooms_yaml writes it and people edit it; without a `color` a room has
-/// none, without `next_id` it is one more than the highest id, and what else is there plays no
-/// part. Throws InputError as parse_map_yaml, and with line and key when format_version is not one
-/// that is known, a value or an id is not in 1 .. kMaxRoomId or there twice, a kind or colour is
-/// none, or next_id is not higher than every id.
+/// none, without `centroid` or `label_point` these are (0, 0), without `next_id` it is one more
+/// than the highest id, and what else is there plays no part. Throws InputError as parse_map_yaml,
+/// and with line and key when format_version is not one that is known, a value or an id is not in 1
+/// .. kMaxRoomId or there twice, a kind or colour is none, a point is none, or next_id is not
+/// higher than every id.
 [[nodiscard]] RoomsLegend parse_rooms_yaml(std::string_view bytes, const std::string& name);
 
 /// A result that write_results wrote.

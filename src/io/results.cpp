@@ -139,14 +139,13 @@ void write_results(const std::filesystem::path& folder, const GridMap& map,
     batch.commit();
 }
 
-void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
-                 const RunInfo& info) {
-    const auto start = std::chrono::steady_clock::now();
+void add_rooms(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
+               const RunInfo& info) {
     check_map(map);
     const Raster<std::uint16_t>& labels = segmentation.labels;
     const bool covers_map = labels.origin == map.states.origin &&
                             labels.width == map.states.width && labels.height == map.states.height;
-    if (!covers_map) return add_results(batch, map, on_map(map, segmentation), info);
+    if (!covers_map) return add_rooms(batch, map, on_map(map, segmentation), info);
     check_rooms(segmentation);
 
     const std::vector<RoomPair> near_rooms = find_near_rooms(map, segmentation);
@@ -170,7 +169,12 @@ void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segme
     };
     add_files(batch, tasks, executor);
     batch.add("rooms.svg", render_svg(plan));
+}
 
+void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
+                 const RunInfo& info) {
+    const auto start = std::chrono::steady_clock::now();
+    add_rooms(batch, map, segmentation, info);
     std::vector<std::pair<std::string, double>> stages_ms = segmentation.report.stages_ms;
     const auto now = std::chrono::steady_clock::now();
     stages_ms.emplace_back("write", std::chrono::duration<double, std::milli>(now - start).count());

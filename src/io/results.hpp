@@ -29,7 +29,10 @@ namespace quadcut::io {
 /// 1 .. kMaxRoomId.
 void add_results(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
                  const RunInfo& info);
-/// A batch of nothing else, into a folder that is made if need be.
+/// The same without report.json.
+void add_rooms(FileBatch& batch, const GridMap& map, const Segmentation& segmentation,
+               const RunInfo& info);
+/// A batch of all of them and nothing else, into a folder that is made if need be.
 void write_results(const std::filesystem::path& folder, const GridMap& map,
                    const Segmentation& segmentation, const RunInfo& info);
 

@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "io/authorship.hpp"
-#include "io/json_writer.hpp"
 #include "io/label_image.hpp"
 #include "io/number_text.hpp"
 #include "io/results.hpp"
+#include "io/room_text.hpp"
 
 namespace quadcut::sim {
 namespace {
@@ -80,25 +80,11 @@ void add_point(io::JsonWriter& json, const Point& point) {
     json.begin_array().number(point.x).number(point.y).end_array();
 }
 
-const char* text_of(RoomKind kind) {
-    switch (kind) {
-        case RoomKind::room:
-            return "room";
-        case RoomKind::corridor:
-            return "corridor";
-        case RoomKind::hall:
-            return "hall";
-        case RoomKind::unknown:
-            break;
-    }
-    return "unknown";
-}
-
 void add_room(io::JsonWriter& json, const TrueRoom& room) {
     json.begin_object();
     json.key("id").integer(static_cast<std::uint64_t>(room.id));
     json.key("name").text(room.name);
-    json.key("kind").text(text_of(room.kind));
+    json.key("kind").text(io::to_text(room.kind));
     json.key("area_m2").number(room.area_m2);
     json.key("floor").begin_array();
     for (const Polygon& polygon : room.floor) {
@@ -153,6 +139,15 @@ std::string encode_true_poses(std::span<const Scan> scans, std::span<const Pose>
     return text;
 }
 
+void write_rooms_and_doors(io::JsonWriter& json, const Building& building) {
+    json.key("rooms").begin_array(io::JsonLayout::lines);
+    for (const TrueRoom& room : building.rooms) add_room(json, room);
+    json.end_array();
+    json.key("doors").begin_array(io::JsonLayout::lines);
+    for (const TrueDoor& door : building.doors) add_door(json, door);
+    json.end_array();
+}
+
 std::string encode_truth(const Building& building, const BuildingOptions& options) {
     io::JsonWriter json;
     json.begin_object(io::JsonLayout::lines);
@@ -166,12 +161,8 @@ std::string encode_truth(const Building& building, const BuildingOptions& option
     json.key("yaw_rad").exact_number(options.yaw_rad);
     json.key("open_leaves").exact_number(options.open_leaves).end_object();
     json.key("num_turned_wings").integer(static_cast<std::uint64_t>(building.num_turned_wings));
-    json.key("rooms").begin_array(io::JsonLayout::lines);
-    for (const TrueRoom& room : building.rooms) add_room(json, room);
-    json.end_array();
-    json.key("doors").begin_array(io::JsonLayout::lines);
-    for (const TrueDoor& door : building.doors) add_door(json, door);
-    json.end_array().end_object();
+    write_rooms_and_doors(json, building);
+    json.end_object();
     return json.finish();
 }
 

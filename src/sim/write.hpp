@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/file_batch.hpp"
+#include "io/json_writer.hpp"
 #include "quadcut/map/scan.hpp"
 #include "sim/building.hpp"
 #include "sim/robot.hpp"
@@ -21,6 +22,9 @@ namespace quadcut::sim {
 /// Poses as TUM lines: time, position, quaternion. @pre as many poses as scans.
 [[nodiscard]] std::string encode_true_poses(std::span<const Scan> scans,
                                             std::span<const Pose> poses);
+
+/// The members `rooms` and `doors` of the object that is being written, in metres of the map frame.
+void write_rooms_and_doors(io::JsonWriter& json, const Building& building);
 
 /// Rooms, doors and the options that made them, as JSON in metres of the map frame.
 [[nodiscard]] std::string encode_truth(const Building& building, const BuildingOptions& options);

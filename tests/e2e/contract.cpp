@@ -118,8 +118,8 @@ TEST(SegmentFiles, ReportSaysWhatWasDone) {
     EXPECT_EQ(report.at("options").at("rooms.min_room"), 1.25);
 
     const Json summary = Json::parse(outcome.out);
-    EXPECT_EQ(summary.at("rooms"), 4);
-    EXPECT_EQ(summary.at("doors"), 3);
+    EXPECT_EQ(summary.at("num_rooms"), 4);
+    EXPECT_EQ(summary.at("num_doors"), 3);
     EXPECT_NEAR(summary.at("area_m2"), 2 * 2.8 * 3.2 + 3.2 * 3.2 + 9.6 * 1.6 + 3 * 0.8 * 0.4, 0.01);
 }
 

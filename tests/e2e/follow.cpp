@@ -40,7 +40,7 @@ TEST(FollowCommand, WritesALineAScanAndTheResultsOfSegment) {
         }
     }
     EXPECT_GT(num_lines, 10U);
-    EXPECT_EQ(last.at("rooms"), Json::parse(outcome.out).at("rooms"));
+    EXPECT_EQ(last.at("rooms"), Json::parse(outcome.out).at("num_rooms"));
 }
 
 TEST(FollowCommand, WhatCannotBeFollowedIsBadInput) {

@@ -146,7 +146,7 @@ TEST(Previous, RoomsOfABuildingThatIsMappedAgain) {
                                          "--previous", folder / "a", "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json told = Json::parse(outcome.out);
-    const int num_rooms = told.at("rooms");
+    const int num_rooms = told.at("num_rooms");
     const int num_kept = told.at("previous").at("kept");
     EXPECT_GE(num_kept, num_rooms * 8 / 10);
     // A room that is kept is where it was.

@@ -237,7 +237,7 @@ TEST(FollowCommand, OddLinesAreCountedAndTheRestIsFollowed) {
         run_quadcut({"follow", log, "-o", folder / "out", "--project", project, "--json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("odd.log")) << "a warning counts the lines";
-    EXPECT_GT(Json::parse(outcome.out).at("rooms").get<int>(), 3);
+    EXPECT_GT(Json::parse(outcome.out).at("num_rooms").get<int>(), 3);
     EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
 }
 

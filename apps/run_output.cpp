@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "apps/followed_output.hpp"
+#include "apps/run_output.hpp"
 
 #include <utility>
 
@@ -12,6 +12,16 @@ namespace {
 constexpr const char* kUpdates = "updates.jsonl";
 
 }  // namespace
+
+io::RunInfo run_info_of(SegmentOptions& options) {
+    io::RunInfo info;
+    info.version = QUADCUT_VERSION;
+    info.options = option_fields(options);
+    // The result is the same on any number of threads.
+    std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
+    info.num_threads = static_cast<int>(options.num_threads);
+    return info;
+}
 
 std::vector<std::string> followed_files() {
     std::vector<std::string> files = io::result_files();

@@ -8,9 +8,14 @@
 #include "io/file_batch.hpp"
 #include "io/report.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
 namespace quadcut {
+
+/// What files say of a run: program, options, threads; without its input. `options` is read when
+/// the files are written.
+[[nodiscard]] io::RunInfo run_info_of(SegmentOptions& options);
 
 /// The files that come of following a robot.
 [[nodiscard]] std::vector<std::string> followed_files();

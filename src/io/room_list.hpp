@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "io/json_writer.hpp"
+#include "quadcut/segment/segmentation.hpp"
+
+namespace quadcut::io {
+
+/// The rooms as a table with a line each, the largest first: id, name, kind, area, doors. Columns
+/// are aligned for a terminal. Of more than `max_rows` the rest is counted in a last line. Empty
+/// without rooms.
+[[nodiscard]] std::string room_table(const Segmentation& segmentation, std::size_t max_rows);
+
+/// The members num_rooms, num_doors, area_m2, rooms and doors of the object that is being written:
+/// what a summary in JSON says of a segmentation.
+void write_rooms_and_doors(JsonWriter& json, const Segmentation& segmentation);
+
+}  // namespace quadcut::io

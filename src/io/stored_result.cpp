@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/stored_result.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "io/file.hpp"
+#include "io/previous_result.hpp"
+#include "io/room_places.hpp"
+#include "quadcut/base/error.hpp"
+
+namespace quadcut::io {
+namespace {
+
+using nlohmann::json;
+
+json parse(std::string_view bytes, const std::string& name) {
+    json parsed = json::parse(bytes, nullptr, false);
+    if (parsed.is_discarded() || !parsed.is_object()) {
+        throw InputError(name + ": is no JSON: expected a file of an earlier result, as it was");
+    }
+    return parsed;
+}
+
+/// What stands at a key of a feature, if it has the type.
+class Feature {
+public:
+    Feature(const json& value, std::string place) : value_(value), place_(std::move(place)) {}
+
+    [[nodiscard]] bool is_door() const {
+        const auto properties = value_.find("properties");
+        return properties != value_.end() && properties->is_object() &&
+               properties->value("type", json()) == "door";
+    }
+    [[nodiscard]] double number(const char* key) const {
+        return finite(value_.at("properties").value(key, json()), key);
+    }
+    [[nodiscard]] RoomId room(const char* key, const std::map<RoomId, std::size_t>& places) const {
+        const double id = number(key);
+        const bool is_id = id >= 1.0 && id <= kMaxRoomId && id == std::floor(id);
+        if (is_id && places.contains(RoomId{static_cast<std::uint32_t>(id)})) {
+            return RoomId{static_cast<std::uint32_t>(id)};
+        }
+        fail(key, "the id of a room of rooms.yaml");
+    }
+    /// One of the two ends of its line.
+    [[nodiscard]] Point end(std::size_t place) const {
+        const json pointer = value_.value(json::json_pointer("/geometry/coordinates"), json());
+        const bool is_line = pointer.is_array() && pointer.size() == 2;
+        if (!is_line || !pointer[place].is_array() || pointer[place].size() < 2) {
+            fail("geometry", "a line of two points");
+        }
+        return {finite(pointer[place][0], "geometry"), finite(pointer[place][1], "geometry")};
+    }
+
+private:
+    [[nodiscard]] double finite(const json& value, const char* key) const {
+        if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "a number");
+        return value.get<double>();
+    }
+    [[noreturn]] void fail(const std::string& key, const std::string& expected) const {
+        throw InputError(place_ + ": " + key + ": expected " + expected +
+                         "; `quadcut segment` writes the file anew");
+    }
+
+    const json& value_;
+    std::string place_;
+};
+
+}  // namespace
+
+std::vector<Door> parse_doors(std::string_view bytes, const std::string& name,
+                              std::span<const Room> rooms) {
+    const std::map<RoomId, std::size_t> places = room_places(rooms);
+    const json file = parse(bytes, name);
+    const json features = file.value("features", json());
+    std::vector<Door> doors;
+    for (std::size_t i = 0; i < features.size() && features.is_array(); ++i) {
+        const Feature feature(features[i], name + ": feature " + std::to_string(i + 1));
+        if (!features[i].is_object() || !feature.is_door()) continue;
+        doors.push_back({feature.room("a", places), feature.room("b", places), feature.end(0),
+                         feature.end(1), feature.number("width_m"),
+                         feature.number("room_a_width_m"), feature.number("room_b_width_m"),
+                         feature.number("confidence")});
+    }
+    return doors;
+}
+
+StoredResult read_stored_result(const std::filesystem::path& folder) {
+    PreviousResult previous = read_previous_result(folder);
+    StoredResult result;
+    result.rooms.labels = std::move(previous.labels);
+    result.rooms.rooms = std::move(previous.legend.rooms);
+    result.rooms.next_id = previous.legend.next_id;
+    result.map_keys = std::move(previous.legend.map_keys);
+    result.colors = std::move(previous.legend.colors);
+    const std::filesystem::path geojson = folder / "rooms.geojson";
+    result.rooms.doors = parse_doors(read_file(geojson), display_name(geojson), result.rooms.rooms);
+    const std::filesystem::path report = folder / "report.json";
+    std::error_code error;
+    if (std::filesystem::exists(report, error)) {
+        const json input = parse(read_file(report), display_name(report)).value("input", json());
+        if (input.is_string()) result.input = input.get<std::string>();
+    }
+    return result;
+}
+
+}  // namespace quadcut::io
