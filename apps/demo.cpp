@@ -171,6 +171,7 @@ Command demo_command() {
     form.flags = {output_flag(), flag_of(fields, "seed", "S"), quiet_flag()};
     form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
+    form.examples = {"quadcut demo -o build/demo", "quadcut demo -o another_demo --seed 2"};
     return {form, run};
 }
 

@@ -184,6 +184,11 @@ Command follow_command() {
          "any other option ('quadcut options' lists them); may be repeated"},
         json_flag(),
         quiet_flag()};
+    form.settings = names_of(fields);
+    for (const std::string& name : names_of(more)) form.settings.push_back(name);
+    form.examples = {
+        "quadcut follow build/demo/simulation/robot.log -o followed",
+        "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut"};
     return {form, run};
 }
 

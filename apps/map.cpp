@@ -92,6 +92,9 @@ Command map_command() {
     form.text = "Makes a map of a laser log (CARMEN, plain or .gz): map.pgm and map.yaml.";
     form.operands = {"LOG"};
     form.flags = {output_flag(), resolution_flag(), poses_flag(), json_flag(), quiet_flag()};
+    form.examples = {"quadcut map build/demo/simulation/robot.log -o map",
+                     "quadcut map build/demo/simulation/robot.log -o true_map --poses "
+                     "build/demo/simulation/true_poses.tum"};
     return {form, run};
 }
 
