@@ -79,7 +79,8 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     FollowSession session(options, scans);
     while (!session.is_done()) {
         session.add_next();
-        progress.update(session.num_done(), scans.size(), [&] { return session.story(); });
+        progress.update(session.num_done(), scans.size(),
+                        {"scans", [&session] { return session.story(); }});
         const std::size_t next = scans.size() * (followed.moments.size() + 1) / kNumMoments;
         if (session.num_done() == next && !session.is_done()) {
             followed.moments.push_back(moment_of(session, followed.robot.trajectory));

@@ -129,7 +129,8 @@ void run(const Arguments& arguments) {
     while (!session.is_done()) {
         pace.wait_for_next(session);
         session.add_next();
-        progress.update(session.num_done(), log.scans.size(), [&] { return session.story(); });
+        progress.update(session.num_done(), log.scans.size(),
+                        {"scans", [&session] { return session.story(); }});
         if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
             write(folder, follower, follower.rooms(), session.updates(), info);
         }
