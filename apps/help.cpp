@@ -58,6 +58,11 @@ bool is_file(const std::string& word) {
     return std::filesystem::exists(word, error);
 }
 
+/// Also one that is not there.
+bool is_like_file(const std::string& word) {
+    return word.find_first_of("./") != std::string::npos || is_file(word);
+}
+
 /// Words whose first is no command's name misspelled, but a file or a flag that stands too early.
 bool is_out_of_order(std::span<const std::string> words) {
     const std::string& first = words[0];
@@ -65,7 +70,7 @@ bool is_out_of_order(std::span<const std::string> words) {
         return find_flag(segment_command().form, split_setting(first).name) != nullptr ||
                std::any_of(words.begin() + 1, words.end(), is_command);
     }
-    return first.find_first_of("./") != std::string::npos || is_file(first);
+    return is_like_file(first);
 }
 
 /// The first command among the words that can be no flag's value, or else the first at all.
@@ -81,6 +86,8 @@ std::span<const std::string>::iterator find_command_in(std::span<const std::stri
 bool is_result(const std::string& word) {
     std::error_code error;
     if (std::filesystem::is_directory(word, error)) return true;
+    // A pipe would be waited for.
+    if (!std::filesystem::is_regular_file(word, error)) return false;
     std::string start(kDatabaseMark.size(), '\0');
     std::ifstream(word, std::ios::binary).read(start.data(), std::ssize(start));
     return start == kDatabaseMark;
@@ -115,7 +122,7 @@ std::string in_order(std::span<const std::string> words) {
 
 /// `rename PROJECT ...` as edit takes it.
 std::string as_edit(std::span<const std::string> words) {
-    if (words.size() < 2 || !is_file(words[1])) {
+    if (words.size() < 2 || !is_like_file(words[1])) {
         return "quadcut edit PROJECT " + words[0] + " ...";
     }
     std::vector<std::string> ordered{"edit", words[1], words[0]};
