@@ -82,7 +82,8 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     FollowSession session(options, scans);
     while (!session.is_done()) {
         session.add_next();
-        progress.update(session.num_done(), scans.size(), [&] { return session.story(); });
+        progress.update(session.num_done(), scans.size(),
+                        {"scans", [&session] { return session.story(); }});
         const std::size_t next = scans.size() * (followed.moments.size() + 1) / kNumMoments;
         if (session.num_done() == next && !session.is_done()) {
             followed.moments.push_back(moment_of(session, followed.robot.trajectory));
@@ -192,6 +193,7 @@ Command demo_command() {
                   quiet_flag()};
     form.flags[0].is_required = false;
     form.flags[0].text += std::string("; ") + kDefaultFolder + " if not given";
+    form.examples = {"quadcut demo -o build/demo", "quadcut demo -o another_demo --seed 2"};
     return {form, run};
 }
 

@@ -101,6 +101,10 @@ Command edit_command() {
         "split X1 Y1 X2 Y2.";
     form.operands = {"PROJECT", "ACTION", "ROOM|X1", "NAME|OTHER|Y1", "X2", "Y2"};
     form.num_optional = 3;
+    form.actions = {"rename", "merge", "split", "lock", "unlock", "undo", "redo", "history"};
+    form.examples = {
+        "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut",
+        "quadcut edit home.quadcut rename 1 Hall", "quadcut edit home.quadcut lock 1"};
     return {form, run};
 }
 

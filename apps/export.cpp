@@ -122,6 +122,8 @@ Command export_command() {
                    "the file that report.json names"},
                   json_flag(),
                   quiet_flag()};
+    form.examples = {"quadcut export build/demo -o pictures",
+                     "quadcut export home.quadcut -o home"};
     return {form, run};
 }
 

@@ -130,7 +130,8 @@ void run(const Arguments& arguments) {
     while (!session.is_done()) {
         pace.wait_for_next(session);
         session.add_next();
-        progress.update(session.num_done(), log.scans.size(), [&] { return session.story(); });
+        progress.update(session.num_done(), log.scans.size(),
+                        {"scans", [&session] { return session.story(); }});
         if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
             write(output, session, follower.rooms(), info);
         }
@@ -187,6 +188,11 @@ Command follow_command() {
          "any other option ('quadcut options' lists them); may be repeated"},
         json_flag(),
         quiet_flag()};
+    form.settings = names_of(fields);
+    for (const std::string& name : names_of(more)) form.settings.push_back(name);
+    form.examples = {
+        "quadcut follow build/demo/simulation/robot.log -o followed",
+        "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut"};
     return {form, run};
 }
 

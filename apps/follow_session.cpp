@@ -2,14 +2,12 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/follow_session.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "io/file.hpp"
-#include "io/number_text.hpp"
 #include "io/option_text.hpp"
 #include "io/updates.hpp"
 #include "quadcut/base/error.hpp"
@@ -77,7 +75,6 @@ FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan>
       follower_(project_->follower(options.segment.num_threads)),
       position_(project_->position()),
       updates_(project_->update_lines()) {
-    num_before_ = position_.num_done;
     if (position_.num_done > scans_.size()) {
         throw InputError(io::display_name(project) + ": has followed " +
                          std::to_string(position_.num_done) + " scans of a log with " +
@@ -124,12 +121,7 @@ void FollowSession::keep(const FollowUpdate& update) {
 }
 
 std::string FollowSession::story() const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun_at_;
-    const double rate =
-        static_cast<double>(position_.num_done - num_before_) / std::max(elapsed.count(), 1e-3);
-    return "  " + io::rounded(rate, 0) + " scans/s  " + std::to_string(last_.num_leaves) +
-           " leaves  " + std::to_string(last_.num_rooms) + " rooms  ps " +
-           io::rounded(100.0 * last_.ps, 0) + " %";
+    return std::to_string(last_.num_rooms) + (last_.num_rooms == 1 ? " room" : " rooms");
 }
 
 void FollowSession::save() {

@@ -39,7 +39,7 @@ public:
     /// While nothing else is to be done; false when there is nothing to refine.
     bool refine();
 
-    /// "  1840 scans/s  5230 leaves  12 rooms  ps 14 %": what is going on.
+    /// "12 rooms": what came of it so far.
     [[nodiscard]] std::string story() const;
 
     [[nodiscard]] const Follower& follower() const { return follower_; }
@@ -60,9 +60,6 @@ private:
     FollowUpdate last_;
     /// What refining did since the last scan.
     std::vector<LifeEvent> refined_;
-    /// When this run began, and how far the scans were then.
-    std::chrono::steady_clock::time_point begun_at_ = std::chrono::steady_clock::now();
-    std::size_t num_before_ = 0;
     std::chrono::steady_clock::time_point saved_at_ = std::chrono::steady_clock::now();
 };
 

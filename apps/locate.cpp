@@ -81,6 +81,8 @@ Command locate_command() {
     form.operands = {"DIR|PROJECT", "X", "Y"};
     form.flags = {json_flag()};
     form.flags[0].text = "as JSON; room 0: the point is in none";
+    form.examples = {"quadcut locate build/demo 0.9 0.7",
+                     "quadcut locate build/demo 0.9 0.7 --json"};
     return {form, run};
 }
 

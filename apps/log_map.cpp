@@ -41,7 +41,7 @@ LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesy
     result.content_hash = posed.content_hash;
     clock.begin("map");
     const OccupancyMap map = map_from_scans(scans, resolution_m, {}, [&](std::size_t num_done) {
-        progress.update(num_done, scans.size());
+        progress.update(num_done, scans.size(), {"scans", {}});
     });
     result.map = map.to_grid();
     if (result.map.states.values.empty()) {

@@ -7,10 +7,13 @@
 #include <new>
 #include <span>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "apps/arguments.hpp"
 #include "apps/command.hpp"
+#include "apps/command_help.hpp"
 #include "apps/help.hpp"
 #include "apps/message.hpp"
 #include "quadcut/base/error.hpp"
@@ -23,25 +26,44 @@ constexpr int kBadInput = 2;
 constexpr int kInternalError = 3;
 
 void run(std::span<const std::string> words) {
-    if (words.empty()) throw InputError("expected a command; 'quadcut help' lists them");
-    std::string name = words[0];
-    std::vector<std::string> rest(words.begin() + 1, words.end());
-    if (name == "--version") name = "version";
-    if (name == "help" || name == "-h" || name == kHelpFlag) {
-        if (rest.empty()) {
+    if (words.empty()) {
+        throw InputError(
+            "expected a command, mostly 'quadcut segment map.yaml -o rooms'; 'quadcut help' lists "
+            "them all");
+    }
+    std::vector<std::string> line(words.begin(), words.end());
+    if (line[0] == "--version") line[0] = "version";
+    if (line[0] == "help" || line[0] == "-h" || line[0] == kHelpFlag) {
+        if (line.size() == 1) {
             std::cout << help_text();
             return;
         }
-        name = rest[0];
-        rest = {std::string(kHelpFlag)};
+        line = {line[1], std::string(kHelpFlag)};
     }
-    const Command command = find_command(name);
-    const Arguments arguments = parse_arguments(command.form, rest);
+    const Command command = command_of(line);
+    const Arguments arguments = parse_arguments(command.form, std::span(line).subspan(1));
     if (arguments.has(kHelpFlag)) {
         std::cout << help_of(command.form);
         return;
     }
     command.run(arguments);
+}
+
+/// What a file system said, without its function's name.
+std::string text_of(const std::filesystem::filesystem_error& error) {
+    const std::string name = error.path1().empty() ? "" : error.path1().string() + ": ";
+    return name + error.code().message();
+}
+
+/// Prints what went wrong; where the ground is gone that everything stands on, this too.
+void print_failure(std::string message, std::span<const std::string> words) {
+    std::error_code error;
+    static_cast<void>(std::filesystem::current_path(error));
+    if (error) {
+        message +=
+            "; the working folder is no longer there (removed or renamed): 'cd' to one that is";
+    }
+    print_error(without_long_words(std::move(message), words));
 }
 
 /// Runs the program and turns what goes wrong into one line and an exit code.
@@ -51,10 +73,10 @@ int run_safely(std::span<const std::string> words) {
         if (!std::cout.flush()) throw InputError("standard output: cannot be written");
         return kDone;
     } catch (const InputError& error) {
-        print_error(error.what());
+        print_failure(error.what(), words);
         return kBadInput;
     } catch (const std::filesystem::filesystem_error& error) {
-        print_error(error.what());
+        print_failure(text_of(error), words);
         return kBadInput;
     } catch (const std::bad_alloc&) {
         print_error("out of memory: the input needs more than this machine has");

@@ -96,6 +96,9 @@ Command map_command() {
     form.operands = {"LOG"};
     form.flags = {output_flag(), force_flag(), resolution_flag(),
                   poses_flag(),  json_flag(),  quiet_flag()};
+    form.examples = {"quadcut map build/demo/simulation/robot.log -o map",
+                     "quadcut map build/demo/simulation/robot.log -o true_map --poses "
+                     "build/demo/simulation/true_poses.tum"};
     return {form, run};
 }
 

@@ -23,14 +23,7 @@ std::string number_text(double value) {
 }  // namespace
 
 std::string range_of(const OptionField& field) {
-    if (const auto* choice = std::get_if<Choice>(&field.value)) {
-        std::string text;
-        for (std::size_t i = 0; i < choice->words.size(); ++i) {
-            if (i > 0) text += i + 1 < choice->words.size() ? ", " : " or ";
-            text += choice->words[i];
-        }
-        return text;
-    }
+    if (const auto* choice = std::get_if<Choice>(&field.value)) return io::words_of(*choice);
     const bool is_count = std::holds_alternative<std::size_t*>(field.value);
     return (is_count ? "whole, " : "") + number_text(field.low) + " to " + number_text(field.high) +
            (field.unit.empty() ? "" : " " + std::string(field.unit));

@@ -70,6 +70,7 @@ Command options_command() {
     form.name = "options";
     form.text = "All options of the method: defaults, units, ranges.";
     form.flags = {{"--markdown", "", "", "as a page of documentation"}};
+    form.examples = {"quadcut options", "quadcut options --markdown"};
     return {form, run};
 }
 

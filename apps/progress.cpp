@@ -3,60 +3,100 @@
 #include "apps/progress.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "apps/progress_line.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kStageWidth = 12;
-constexpr std::size_t kBarWidth = 40;
 constexpr std::chrono::milliseconds kRedrawAfter{100};
+/// What is said of speed and time before is a guess.
+constexpr std::chrono::milliseconds kRateAfter{500};
+constexpr std::size_t kUsualWidth = 80;
+
+/// Columns of the terminal now: it may have been made wider or narrower.
+std::size_t terminal_width() {
+    struct winsize size {};
+    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+    const char* const columns = std::getenv("COLUMNS");
+    const int width = columns == nullptr ? 0 : std::atoi(columns);
+    return width > 0 ? static_cast<std::size_t>(width) : kUsualWidth;
+}
+
+/// The cursor goes to where a line of so many characters begins: a terminal that was made narrower
+/// has broken it into several, which all are wiped.
+std::string start_of_line(std::size_t num_drawn, std::size_t width) {
+    const std::size_t num_above = num_drawn == 0 ? 0 : (num_drawn - 1) / width;
+    return "\r" + (num_above == 0 ? "" : "\x1B[" + std::to_string(num_above) + "A\x1B[J");
+}
 
 }  // namespace
 
 ProgressStyle progress_style(ProgressStyle wanted) {
-    return ::isatty(STDERR_FILENO) == 1 ? wanted : ProgressStyle::none;
+    const char* const terminal = std::getenv("TERM");
+    const bool is_dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+    return ::isatty(STDERR_FILENO) == 1 && !is_dumb ? wanted : ProgressStyle::none;
 }
+
+Progress::Progress(ProgressStyle style) {
+    if (style != ProgressStyle::none) line_.emplace();
+}
+
+bool Progress::is_due() const { return Clock::now() - drawn_at_ >= kRedrawAfter; }
 
 void Progress::begin(std::string_view stage) {
-    if (style_ == ProgressStyle::none) return;
+    if (!line_) return;
     stage_ = stage;
-    stage_.resize(std::max(stage_.size(), kStageWidth), ' ');
-    percent_ = 0;
+    counted_from_.reset();
     const bool is_new = stages_.insert(stage_).second;
-    if (is_new || std::chrono::steady_clock::now() - drawn_at_ > kRedrawAfter) draw(stage_ + "...");
+    if (!is_new && !is_due()) return;
+    const std::size_t width = terminal_width();
+    draw(progress_line({stage_, {}, {}, {}, {}, {}}, width - 1), width);
 }
 
-void Progress::update(std::size_t num_done, std::size_t num_all) {
-    update(num_done, num_all, [] { return std::string(); });
-}
-
-void Progress::update(std::size_t num_done, std::size_t num_all,
-                      const std::function<std::string()>& text) {
-    if (style_ == ProgressStyle::none || num_all == 0) return;
-    const double share = static_cast<double>(num_done) / static_cast<double>(num_all);
-    const auto percent = static_cast<std::size_t>(100.0 * std::clamp(share, 0.0, 1.0));
-    if (percent == percent_) return;
-    percent_ = percent;
-    const std::size_t filled = percent * kBarWidth / 100;
-    draw(stage_ + "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] " +
-         std::to_string(percent) + " %" + text());
+void Progress::update(std::size_t num_done, std::size_t num_all, const ProgressText& text) {
+    if (!line_ || num_all == 0) return;
+    const bool is_first = !counted_from_;
+    if (!is_first && !is_due()) return;
+    const Clock::time_point now = Clock::now();
+    if (is_first) {
+        counted_from_ = now;
+        num_before_ = num_done;
+    }
+    ProgressState state;
+    state.stage = stage_;
+    state.share = static_cast<double>(num_done) / static_cast<double>(num_all);
+    state.unit = text.unit;
+    const std::chrono::duration<double> elapsed = now - *counted_from_;
+    if (elapsed >= kRateAfter && num_done > num_before_) {
+        state.rate = static_cast<double>(num_done - num_before_) / elapsed.count();
+        state.left_s = static_cast<double>(num_all - std::min(num_done, num_all)) / *state.rate;
+    }
+    const std::string more = text.more ? text.more() : "";
+    state.more = more;
+    // A character in the last column would have some terminals go on to the next line.
+    const std::size_t width = terminal_width();
+    draw(progress_line(state, width - 1), width);
 }
 
 void Progress::wipe() {
     if (num_drawn_ == 0) return;
-    std::cerr << '\r' + std::string(num_drawn_, ' ') + '\r' << std::flush;
+    std::cerr << start_of_line(num_drawn_, terminal_width()) + "\x1B[K" << std::flush;
     num_drawn_ = 0;
+    line_->end();
 }
 
-void Progress::draw(const std::string& line) {
-    // What is left of a longer line is written over.
-    const std::size_t num_left = num_drawn_ > line.size() ? num_drawn_ - line.size() : 0;
-    std::cerr << '\r' + line + std::string(num_left, ' ') << std::flush;
+void Progress::draw(const std::string& line, std::size_t width) {
+    // Written over, and wiped only behind its end: nothing flickers.
+    std::cerr << start_of_line(num_drawn_, width) + line + "\x1B[K" << std::flush;
+    line_->begin();
     num_drawn_ = line.size();
-    drawn_at_ = std::chrono::steady_clock::now();
+    drawn_at_ = Clock::now();
 }
 
 }  // namespace quadcut

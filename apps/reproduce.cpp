@@ -101,6 +101,8 @@ Command reproduce_command() {
                   flag_of(fields, "seed", "S"),
                   json_flag(),
                   quiet_flag()};
+    form.examples = {"quadcut reproduce -o paper --small",
+                     "quadcut reproduce -o paper2 --small --seed 2"};
     return {form, run};
 }
 

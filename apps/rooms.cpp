@@ -51,6 +51,7 @@ Command rooms_command() {
                        std::to_string(kMaxTableRows) + " are shown"},
                   json_flag()};
     form.flags[1].text = "rooms and doors as JSON";
+    form.examples = {"quadcut rooms build/demo", "quadcut rooms build/demo --json"};
     return {form, run};
 }
 

@@ -27,6 +27,10 @@ Command score_command() {
     form.text = "Compares two label images; with the map, only its free cells count as covered.";
     form.operands = {"PREDICTED.png", "TRUTH.png", "MAP.png"};
     form.num_optional = 1;
+    form.examples = {"quadcut segment build/demo/simulation/map.yaml -o drawn",
+                     "quadcut score drawn/rooms.png build/demo/simulation/rooms.png",
+                     "quadcut score drawn/rooms.png build/demo/simulation/rooms.png "
+                     "build/demo/simulation/map.pgm"};
     return {form, run};
 }
 

@@ -218,6 +218,10 @@ Command segment_command() {
                    "any other option ('quadcut options' lists them); may be repeated"},
                   json_flag(),
                   quiet_flag()};
+    form.settings = names_of(fields);
+    form.examples = {
+        "quadcut segment build/demo/map.yaml -o rooms",
+        "quadcut segment build/demo/simulation/robot.log -o rooms_of_log --previous build/demo"};
     return {form, run};
 }
 

@@ -67,6 +67,8 @@ Command simulate_command() {
                   flag_of(fields, "furniture", "F"),
                   json_flag(),
                   quiet_flag()};
+    form.examples = {"quadcut simulate -o building --seed 7",
+                     "quadcut simulate -o flat --rooms 6 --furniture 1"};
     return {form, run};
 }
 

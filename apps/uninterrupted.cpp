@@ -15,24 +15,33 @@ extern "C" void remember_interrupt(int number) { interrupt_met = number; }
 
 }  // namespace
 
-// Blocking the signals would not do: a worker thread that does not block them would get them.
-Uninterrupted::Uninterrupted() {
-    interrupt_met = 0;
-    struct sigaction later {};
-    later.sa_handler = remember_interrupt;
-    later.sa_flags = SA_RESTART;
-    sigemptyset(&later.sa_mask);
+InterruptHandlers handle_interrupts(void (*handler)(int), int flags) {
+    InterruptHandlers before{};
+    struct sigaction now {};
+    now.sa_handler = handler;
+    now.sa_flags = flags;
+    sigemptyset(&now.sa_mask);
     for (std::size_t i = 0; i < kInterrupts.size(); ++i) {
-        sigaction(kInterrupts[i], nullptr, &before_[i]);
-        // What the caller of the program ignores (nohup) stays ignored.
-        if (before_[i].sa_handler != SIG_IGN) sigaction(kInterrupts[i], &later, nullptr);
+        sigaction(kInterrupts[i], nullptr, &before[i]);
+        if (before[i].sa_handler != SIG_IGN) sigaction(kInterrupts[i], &now, nullptr);
+    }
+    return before;
+}
+
+void restore_interrupts(const InterruptHandlers& handlers) {
+    for (std::size_t i = 0; i < kInterrupts.size(); ++i) {
+        sigaction(kInterrupts[i], &handlers[i], nullptr);
     }
 }
 
+// Blocking the signals would not do: a worker thread that does not block them would get them.
+Uninterrupted::Uninterrupted() {
+    interrupt_met = 0;
+    before_ = handle_interrupts(remember_interrupt, SA_RESTART);
+}
+
 Uninterrupted::~Uninterrupted() {
-    for (std::size_t i = 0; i < kInterrupts.size(); ++i) {
-        sigaction(kInterrupts[i], &before_[i], nullptr);
-    }
+    restore_interrupts(before_);
     if (interrupt_met != 0) raise(interrupt_met);
 }
 

@@ -7,6 +7,14 @@
 
 namespace quadcut {
 
+/// What is done at SIGINT, SIGTERM and SIGHUP.
+using InterruptHandlers = std::array<struct sigaction, 3>;
+
+/// Has these signals call `handler`, with flags of sigaction; what the caller of the program has
+/// them ignored (nohup) stays ignored. Returns what was done before.
+[[nodiscard]] InterruptHandlers handle_interrupts(void (*handler)(int), int flags);
+void restore_interrupts(const InterruptHandlers& handlers);
+
 /// While it lives, an interrupt (SIGINT, SIGTERM, SIGHUP) waits; when it is gone, the interrupt
 /// ends the program as it would have. Results are written under one of these, so that an
 /// interrupted program has written all of them or none. One at a time.
@@ -18,7 +26,7 @@ public:
     ~Uninterrupted();
 
 private:
-    std::array<struct sigaction, 3> before_{};
+    InterruptHandlers before_{};
 };
 
 }  // namespace quadcut

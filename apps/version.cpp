@@ -10,6 +10,7 @@ Command version_command() {
     CommandForm form;
     form.name = "version";
     form.text = "Prints the version.";
+    form.examples = {"quadcut version", "quadcut --version"};
     return {form, [](const Arguments&) { std::cout << "quadcut " QUADCUT_VERSION "\n"; }};
 }
 

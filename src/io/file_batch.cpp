@@ -53,7 +53,11 @@ void FileBatch::require_free(std::span<const std::string> names) const {
 
 void FileBatch::require_free(const std::filesystem::path& path) const {
     std::error_code error;
-    if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) return;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) return;
+    if (!std::filesystem::exists(status)) {
+        throw InputError(display_name(path) + ": cannot be written: " + error.message());
+    }
     if (std::filesystem::is_directory(path, error)) {
         throw InputError(display_name(path) + ": cannot be written: it is a folder");
     }
@@ -75,7 +79,8 @@ void FileBatch::make_folder(const std::filesystem::path& folder) {
     make_folder(folder.parent_path());
     if (std::filesystem::create_directory(folder, error)) new_folders_.push_back(folder);
     // A path that ends in a slash was made with its parent; what another program made is as good.
-    if (error && !std::filesystem::is_directory(folder)) {
+    std::error_code ignored;
+    if (error && !std::filesystem::is_directory(folder, ignored)) {
         throw InputError(display_name(folder_) + ": the folder cannot be made: " + error.message());
     }
 }

@@ -6,13 +6,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <system_error>
 
+#include "io/nearest_word.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
 namespace {
+
+/// What is looked at of a text that is no number.
+constexpr std::size_t kLongestNumber = 32;
 
 std::string number_text(double value) {
     std::array<char, 32> buffer{};
@@ -31,12 +34,24 @@ std::string quoted_range(const OptionField& field) {
                      "': expected " + expected);
 }
 
+/// The number that a text begins with when it is one that is allowed: "0,3", "1.5m".
+std::string number_meant(const OptionField& field, std::string_view text) {
+    std::string with_point(text.substr(0, kLongestNumber));
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    double value = 0.0;
+    const char* const begin = with_point.data();
+    const auto [end, error] = std::from_chars(begin, begin + with_point.size(), value);
+    const bool is_allowed = error == std::errc() && value >= field.low && value <= field.high;
+    if (!is_allowed) return "";
+    return ": " + did_you_mean({with_point.substr(0, static_cast<std::size_t>(end - begin))});
+}
+
 double parse_number(const OptionField& field, std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
         value < field.low || value > field.high) {
-        reject(field, text, "a number from " + quoted_range(field));
+        reject(field, text, "a number from " + quoted_range(field) + number_meant(field, text));
     }
     return value;
 }
@@ -54,27 +69,9 @@ std::size_t parse_count(const OptionField& field, std::string_view text) {
 void choose(const OptionField& field, const Choice& choice, std::string_view text) {
     const auto found = std::find(choice.words.begin(), choice.words.end(), text);
     if (found == choice.words.end()) {
-        std::string expected = "one of";
-        for (const std::string_view word : choice.words) expected += " " + std::string(word);
-        reject(field, text, expected);
+        reject(field, text, words_of(choice) + suggestion(text, choice.words));
     }
     *choice.value = static_cast<std::uint8_t>(found - choice.words.begin());
-}
-
-/// Levenshtein distance: insertions, deletions, replacements.
-std::size_t num_edits(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-        }
-    }
-    return row.back();
 }
 
 }  // namespace
@@ -94,9 +91,16 @@ void set_option(const std::vector<OptionField>& fields, std::string_view name,
     }
     std::vector<std::string_view> known;
     for (const OptionField& field : fields) known.push_back(field.name);
-    const std::string_view nearest = nearest_word(name, known);
-    throw InputError("unknown option '" + std::string(name) + "'" +
-                     (nearest.empty() ? "" : ": did you mean '" + std::string(nearest) + "'?"));
+    throw InputError("unknown option '" + std::string(name) + "'" + suggestion(name, known));
+}
+
+std::string words_of(const Choice& choice) {
+    std::string text;
+    for (std::size_t i = 0; i < choice.words.size(); ++i) {
+        if (i > 0) text += i + 1 < choice.words.size() ? ", " : " or ";
+        text += choice.words[i];
+    }
+    return text;
 }
 
 std::string option_text(const OptionField& field) {
@@ -106,19 +110,6 @@ std::string option_text(const OptionField& field) {
     }
     const Choice& choice = std::get<Choice>(field.value);
     return std::string(choice.words[*choice.value]);
-}
-
-std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known) {
-    std::string_view nearest;
-    std::size_t fewest = std::max<std::size_t>(3, word.size() / 2);
-    for (const std::string_view candidate : known) {
-        const std::size_t edits = num_edits(word, candidate);
-        if (edits < fewest) {
-            fewest = edits;
-            nearest = candidate;
-        }
-    }
-    return nearest;
 }
 
 }  // namespace quadcut::io

@@ -11,15 +11,15 @@
 namespace quadcut::io {
 
 /// Sets the option called `name` from text. Throws InputError that names the option, what was
-/// expected, and for an unknown name the nearest known one.
+/// expected and what was probably meant: the nearest known name, the nearest word that may be
+/// chosen, the number without its unit.
 void set_option(const std::vector<OptionField>& fields, std::string_view name,
                 std::string_view text);
 
+/// What may be chosen: "rooms or paper".
+[[nodiscard]] std::string words_of(const Choice& choice);
+
 /// The value as text that set_option() reads back.
 [[nodiscard]] std::string option_text(const OptionField& field);
-
-/// The word of `known` with the fewest edits to `word`; empty when all are far from it.
-[[nodiscard]] std::string_view nearest_word(std::string_view word,
-                                            const std::vector<std::string_view>& known);
 
 }  // namespace quadcut::io

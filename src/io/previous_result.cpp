@@ -15,6 +15,7 @@
 #include "io/fields.hpp"
 #include "io/file.hpp"
 #include "io/format_version.hpp"
+#include "io/found_instead.hpp"
 #include "io/image.hpp"
 #include "io/room_text.hpp"
 #include "io/yaml.hpp"
@@ -171,12 +172,10 @@ PreviousResult parse_label_png(std::string_view bytes, const std::string& name, 
 
 PreviousResult read_previous_result(const std::filesystem::path& folder) {
     const std::filesystem::path yaml = folder / "rooms.yaml";
-    std::error_code error;
-    if (!std::filesystem::exists(yaml, error)) {
-        const bool is_folder = std::filesystem::is_directory(folder, error);
+    if (!has_result(folder)) {
         throw InputError(display_name(folder) +
                          ": expected a folder with an earlier result, found " +
-                         (is_folder ? "no rooms.yaml in it" : "no such folder"));
+                         found_instead_of_result(folder));
     }
     const std::string yaml_name = display_name(yaml);
     RoomsLegend legend = parse_rooms_yaml(read_file(yaml, kMaxLegendBytes), yaml_name);

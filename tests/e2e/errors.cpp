@@ -217,7 +217,7 @@ TEST(RefusedCommandLine, MissingOutput) {
 
 TEST(RefusedCommandLine, WhatIsNotBuiltYet) {
     const Folder folder;
-    for (const std::string command : {"export", "serve", "ros2"}) {
+    for (const std::string command : {"serve", "batch", "ros2"}) {
         expect_refused(folder, {command, "x"}, {command, "this version"});
     }
 }

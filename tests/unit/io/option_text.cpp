@@ -83,7 +83,21 @@ TEST(OptionField, RejectedValueIsNamedWithWhatWasExpected) {
         EXPECT_NE(error.find("whole number from 1 to 8"), std::string::npos)
             << text << ": " << error;
     }
-    EXPECT_NE(error_of(sample, "kind", "oval").find("round square"), std::string::npos);
+    EXPECT_NE(error_of(sample, "kind", "oval").find("round or square"), std::string::npos);
+}
+
+TEST(OptionField, SaysWhatWasProbablyMeant) {
+    Sample sample;
+    EXPECT_EQ(error_of(sample, "kind", "sqare"),
+              "option kind: 'sqare': expected round or square: did you mean 'square'?");
+    EXPECT_EQ(error_of(sample, "kind", "oval"), "option kind: 'oval': expected round or square");
+    const std::string number = "expected a number from 0.5 to 10 m";
+    EXPECT_EQ(error_of(sample, "width", "1,5"),
+              "option width: '1,5': " + number + ": did you mean '1.5'?");
+    EXPECT_EQ(error_of(sample, "width", "2.5m"),
+              "option width: '2.5m': " + number + ": did you mean '2.5'?");
+    // What is not allowed is not suggested.
+    EXPECT_EQ(error_of(sample, "width", "150cm"), "option width: '150cm': " + number);
 }
 
 TEST(OptionField, RejectedValueChangesNothing) {
@@ -102,13 +116,6 @@ TEST(OptionField, UnknownNameNamesTheNearest) {
     const std::string far = error_of(sample, "xylophone", "1");
     EXPECT_NE(far.find("xylophone"), std::string::npos);
     EXPECT_EQ(far.find("did you mean"), std::string::npos);
-}
-
-TEST(NearestWord, FewestEditsWin) {
-    EXPECT_EQ(nearest_word("granularty", {"resolution", "granularity", "preset"}), "granularity");
-    EXPECT_EQ(nearest_word("sub-maps", {"submap", "submaps"}), "submaps");
-    EXPECT_EQ(nearest_word("", {"abcdef"}), "");
-    EXPECT_EQ(nearest_word("abc", {}), "");
 }
 
 TEST(SegmentOptionFields, DefaultsAreAllowedValues) {

@@ -237,7 +237,7 @@ TEST(PreviousResult, NamesTheFileThatIsNotThere) {
               none + ": expected a folder with an earlier result, found no such folder");
     EXPECT_EQ(error(folder.path()), folder.path().string() +
                                         ": expected a folder with an earlier result, found no "
-                                        "rooms.yaml in it");
+                                        "rooms.yaml in it (it is empty)");
     folder.write("rooms.yaml", kGood);
     EXPECT_EQ(error(folder.path()).find((folder.path() / "rooms.png").string() + ": "), 0U);
     folder.write("rooms.png", "no image");

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "apps/misunderstanding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "apps/command_help.hpp"
+#include "apps/command_line.hpp"
+#include "io/nearest_word.hpp"
+
+namespace quadcut {
+namespace {
+
+/// What other programs call flags of ours.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kOtherWords{
+    {{"--dir", "--output"},
+     {"--directory", "--output"},
+     {"--folder", "--output"},
+     {"--out-dir", "--output"},
+     {"--outdir", "--output"},
+     {"--destination", "--output"},
+     {"--cell-size", "--resolution"},
+     {"--silent", "--quiet"}}};
+
+/// What stands for a folder in a command line that is suggested.
+constexpr const char* kSomeFolder = "rooms";
+
+/// The word after a name, when it may be the value that was meant.
+std::string value_in(const std::string& next) {
+    constexpr std::string_view kNumber = "-.0123456789";
+    constexpr std::string_view kWord = "abcdefghijklmnopqrstuvwxyz_";
+    const bool is_number = next.find_first_not_of(kNumber) == std::string::npos;
+    const bool is_word = next.find_first_not_of(kWord) == std::string::npos;
+    return !next.empty() && (is_number || is_word) ? next : "X";
+}
+
+/// A flag by its name or another word for it, or an option, as it is written.
+std::string written(const CommandForm& form, std::string_view name, const std::string& value) {
+    for (const auto& [other, flag] : kOtherWords) {
+        if (name == other) name = flag;
+    }
+    if (const Flag* flag = find_flag(form, name)) return short_form(*flag);
+    if (name == kHelpFlag) return std::string(name);
+    return std::string(kSetFlag) + " " + std::string(name) + "=" + value;
+}
+
+std::vector<std::string_view> known_names(const CommandForm& form) {
+    std::vector<std::string_view> known;
+    for (const Flag& flag : form.flags) {
+        known.push_back(flag.name);
+        if (!flag.short_name.empty()) known.push_back(flag.short_name);
+    }
+    for (const auto& [other, flag] : kOtherWords) {
+        if (find_flag(form, flag) != nullptr) known.push_back(other);
+    }
+    known.push_back(kHelpFlag);
+    known.insert(known.end(), form.settings.begin(), form.settings.end());
+    return known;
+}
+
+/// The flags and options that are meant by a name that is none, as they are written.
+std::vector<std::string> meant_by(const CommandForm& form, const std::string& name,
+                                  const std::string& value) {
+    std::vector<std::string> meant;
+    for (const std::string_view near : io::nearest_words(name, known_names(form))) {
+        // An option that has a flag of its own is known twice.
+        std::string own = "--" + std::string(near);
+        std::replace(own.begin(), own.end(), '_', '-');
+        const bool has_flag = find_flag(form, own) != nullptr;
+        const std::string text = written(form, has_flag ? own : near, value);
+        if (std::find(meant.begin(), meant.end(), text) == meant.end()) meant.push_back(text);
+    }
+    // "-orooms"
+    const Flag* flag = find_flag(form, name.substr(0, 2));
+    if (meant.empty() && flag != nullptr && !flag->value.empty()) {
+        meant.push_back(name.substr(0, 2) + " " + name.substr(2));
+    }
+    return meant;
+}
+
+std::string suggestion(const std::vector<std::string>& meant, const std::string& otherwise) {
+    return meant.empty() ? "; " + otherwise : ": " + io::did_you_mean(meant);
+}
+
+/// The words as a command line, with the output folder that is missing in them.
+std::string with_output(const CommandForm& form, std::span<const std::string> words,
+                        const std::string& folder) {
+    std::vector<std::string> all{form.name};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), {"-o", folder});
+    return command_line(all);
+}
+
+[[noreturn]] void reject_operand(const CommandForm& form, const Arguments& arguments,
+                                 std::span<const std::string> words) {
+    const std::size_t most = form.operands.size();
+    const std::string& first = arguments.operands[most];
+    const bool takes_folder = find_flag(form, "-o") != nullptr && !arguments.has("--output");
+    if (takes_folder && arguments.operands.size() == most + 1) {
+        std::vector<std::string> others(words.begin(), words.end());
+        others.erase(std::find(others.rbegin(), others.rend(), first).base() - 1);
+        throw InputError("unexpected '" + first +
+                         "': " + io::did_you_mean({with_output(form, others, first)}));
+    }
+    throw InputError(
+        "unexpected '" + first + "'" +
+        (most == 1 ? ": " + form.name + " takes one " + form.operands[0] + " at a time" : "") +
+        "; usage: " + usage_of(form));
+}
+
+void check_action(const CommandForm& form, const std::string& word) {
+    const std::vector<std::string_view> known(form.actions.begin(), form.actions.end());
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    std::string expected;
+    for (const std::string_view action : known) expected += " " + std::string(action);
+    throw InputError(form.name + ": '" + word + "': expected one of" + expected +
+                     io::suggestion(word, known));
+}
+
+}  // namespace
+
+InputError unknown_flag(const CommandForm& form, const Setting& given, const std::string& next) {
+    const auto& planned = form.planned_flags;
+    if (std::find(planned.begin(), planned.end(), given.name) != planned.end()) {
+        return InputError("option " + given.name + ": not in this version of quadcut");
+    }
+    const auto meant = meant_by(form, given.name, given.value.value_or(value_in(next)));
+    return InputError("unknown option '" + given.name + "'" +
+                      suggestion(meant, "'quadcut " + form.name + " --help' lists the options"));
+}
+
+void check_setting(const CommandForm& form, const std::string& value, const std::string& next) {
+    const Setting setting = split_setting(value);
+    const auto& known = form.settings;
+    const bool is_known = std::find(known.begin(), known.end(), setting.name) != known.end();
+    if (is_known && setting.value) return;
+    const std::string shown = setting.value.value_or(value_in(next));
+    const auto meant = is_known
+                           ? std::vector{std::string(kSetFlag) + " " + setting.name + "=" + shown}
+                           : meant_by(form, setting.name, shown);
+    const std::string what = setting.value ? "unknown option '" + setting.name + "'"
+                                           : "option --set: '" + value + "': expected NAME=VALUE";
+    throw InputError(what + suggestion(meant, "'quadcut options' lists them"));
+}
+
+void check_operands(const CommandForm& form, const Arguments& arguments,
+                    std::span<const std::string> words) {
+    const std::size_t least = form.operands.size() - form.num_optional;
+    const std::size_t count = arguments.operands.size();
+    if (count > form.operands.size()) reject_operand(form, arguments, words);
+    if (count < least) {
+        throw InputError("missing " + form.operands[count] + "; usage: " + usage_of(form));
+    }
+    if (!form.actions.empty()) check_action(form, arguments.operands[1]);
+}
+
+void check_required(const CommandForm& form, const Arguments& arguments,
+                    std::span<const std::string> words) {
+    for (const Flag& flag : form.flags) {
+        if (!flag.is_required || arguments.has(flag.name)) continue;
+        const std::string what = "missing " + short_form(flag) + " (" + flag.text + ")";
+        if (flag.short_name != "-o") throw InputError(what + "; usage: " + usage_of(form));
+        throw InputError(what + ": for example '" + with_output(form, words, kSomeFolder) + "'");
+    }
+}
+
+}  // namespace quadcut
