@@ -76,11 +76,11 @@ std::string found_instead_of_result(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path, error)) return found_in_folder(path);
     if (!std::filesystem::exists(path, error)) return "no such folder";
     const bool is_file = std::filesystem::is_regular_file(path, error);
-    const std::string kind = is_project(path) ? "a project of quadcut"
-                             : is_file        ? "a file"
-                                              : "something that is no folder";
+    std::string kind = is_project(path) ? "a project of quadcut"
+                       : is_file        ? "a file"
+                                        : "something that is no folder";
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (has_result(folder)) return kind + ": " + did_you_mean({folder.string()});
+    if (has_result(folder)) kind += ": " + did_you_mean({folder.string()});
     return kind;
 }
 
