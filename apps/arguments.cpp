@@ -7,6 +7,7 @@
 
 #include "apps/misunderstanding.hpp"
 #include "apps/option_help.hpp"
+#include "io/nearest_word.hpp"
 #include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -18,8 +19,9 @@ bool is_value(const CommandForm& form, const std::string& word) {
     return word.rfind("--", 0) != 0 && find_flag(form, word) == nullptr;
 }
 
-/// A dash before something that is no number.
+/// A dash before something that is no number; also one that a word processor made longer.
 bool is_flag(const CommandForm& form, const std::string& word) {
+    if (io::has_long_dash(word)) return true;
     if (word.size() < 2 || word[0] != '-') return false;
     const bool is_number = (word[1] >= '0' && word[1] <= '9') || word[1] == '.';
     return !is_number || find_flag(form, word) != nullptr;

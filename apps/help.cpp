@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "apps/command_line.hpp"
+#include "io/found_instead.hpp"
 #include "io/nearest_word.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -20,9 +20,6 @@ namespace {
 
 constexpr std::size_t kTextColumn = 12;
 constexpr std::array<std::string_view, 3> kPlannedCommands{"serve", "ros2", "batch"};
-
-/// What the file of a project begins with.
-constexpr std::string_view kDatabaseMark = "SQLite format 3";
 
 /// Other words for commands.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kOtherWords{
@@ -83,14 +80,10 @@ std::span<const std::string>::iterator find_command_in(std::span<const std::stri
     return found != words.end() ? found : std::find_if(words.begin(), words.end(), is_command);
 }
 
+/// What has rooms already.
 bool is_result(const std::string& word) {
     std::error_code error;
-    if (std::filesystem::is_directory(word, error)) return true;
-    // A pipe would be waited for.
-    if (!std::filesystem::is_regular_file(word, error)) return false;
-    std::string start(kDatabaseMark.size(), '\0');
-    std::ifstream(word, std::ios::binary).read(start.data(), std::ssize(start));
-    return start == kDatabaseMark;
+    return std::filesystem::is_directory(word, error) || io::is_project(word);
 }
 
 /// The command that is missing before the words: what most people want of a map or a log.

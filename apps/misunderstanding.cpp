@@ -100,6 +100,10 @@ std::string with_output(const CommandForm& form, std::span<const std::string> wo
                                  std::span<const std::string> words) {
     const std::size_t most = form.operands.size();
     const std::string& first = arguments.operands[most];
+    const Setting setting = split_setting(first);
+    const auto meant =
+        setting.value ? meant_by(form, setting.name, *setting.value) : std::vector<std::string>();
+    if (!meant.empty()) throw InputError("unexpected '" + first + "': " + io::did_you_mean(meant));
     const bool takes_folder = find_flag(form, "-o") != nullptr && !arguments.has("--output");
     if (takes_folder && arguments.operands.size() == most + 1) {
         std::vector<std::string> others(words.begin(), words.end());

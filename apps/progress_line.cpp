@@ -3,7 +3,6 @@
 #include "apps/progress_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "io/number_text.hpp"
@@ -13,8 +12,7 @@ namespace {
 
 constexpr std::size_t kShortestBar = 10;
 constexpr std::size_t kLongestBar = 40;
-/// Longer is "more than a day".
-constexpr double kLongest_s = 86400.0;
+constexpr double kDayInSeconds = 86400.0;
 
 // The parts are as wide as they mostly are at their widest: the bar keeps its length.
 constexpr std::size_t kPercentWidth = 5;
@@ -23,7 +21,7 @@ constexpr std::size_t kRateWidth = 12;
 
 /// Two spaces before a part, and after it what it is shorter than it may be.
 std::string part(std::string text, std::size_t width) {
-    if (!text.empty() || width > 0) text.resize(std::max(text.size(), width), ' ');
+    text.resize(std::max(text.size(), width), ' ');
     return text.empty() ? "" : "  " + text;
 }
 
@@ -31,6 +29,14 @@ std::string percent_text(double share) {
     const auto percent = static_cast<int>(100.0 * share);
     std::string text = std::to_string(percent) + " %";
     return std::string(kPercentWidth - std::min(kPercentWidth, text.size()), ' ') + text;
+}
+
+std::string rate_part(const ProgressState& state) {
+    if (state.unit.empty()) return "";
+    if (!state.rate) return part("", kRateWidth);
+    std::string text = io::rounded(*state.rate, *state.rate < 10.0 ? 1 : 0);
+    text.append(" ").append(state.unit).append("/s");
+    return part(text, kRateWidth);
 }
 
 std::string bar_text(double share, std::size_t length) {
@@ -47,7 +53,7 @@ std::string without_end(std::string line, std::size_t width) {
 }  // namespace
 
 std::string in_words(double seconds) {
-    if (!(seconds < kLongest_s)) return "more than a day";
+    if (!(seconds < kDayInSeconds)) return "more than a day";
     const double whole_s = std::max(1.0, std::ceil(seconds));
     if (whole_s < 60.0) return io::rounded(whole_s, 0) + " s";
     const double whole_min = std::ceil(seconds / 60.0);
@@ -56,32 +62,23 @@ std::string in_words(double seconds) {
 }
 
 std::string progress_line(const ProgressState& state, std::size_t width) {
-    if (!state.share) return without_end(std::string(state.stage) + " ...", width);
-    const double share = std::clamp(*state.share, 0.0, 1.0);
     const std::string stage(state.stage);
+    if (!state.share) return without_end(stage + " ...", width);
+    const double share = std::clamp(*state.share, 0.0, 1.0);
     const std::string percent = part(percent_text(share), kPercentWidth);
-    const std::string time =
-        part(state.left_s ? in_words(*state.left_s) + " left" : "", kTimeWidth);
-    std::string rate;
-    if (!state.unit.empty()) {
-        const std::string number =
-            state.rate ? io::rounded(*state.rate, *state.rate < 10.0 ? 1 : 0) : "";
-        rate =
-            part(number.empty() ? "" : number + " " + std::string(state.unit) + "/s", kRateWidth);
-    }
-    const std::string more = part(std::string(state.more), 0);
+    const std::string with_time =
+        percent + part(state.left_s ? in_words(*state.left_s) + " left" : "", kTimeWidth);
+    const std::string with_rate = with_time + rate_part(state);
+    const std::string with_all = with_rate + part(std::string(state.more), 0);
 
     // From all there is to the least: what fits first is shown.
-    const std::array<std::string, 4> tails{percent + time + rate + more, percent + time + rate,
-                                           percent + time, percent};
-    for (const std::string& tail : {tails[0], tails[1]}) {
-        const std::size_t rest = stage.size() + tail.size() + bar_text(share, 0).size();
-        if (rest + kShortestBar > width) continue;
-        const std::size_t length = std::min(width - rest, kLongestBar);
+    for (const std::string& tail : {with_all, with_rate}) {
+        const std::size_t others = stage.size() + bar_text(share, 0).size() + tail.size();
+        if (others + kShortestBar > width) continue;
+        const std::size_t length = std::min(width - others, kLongestBar);
         return without_end(stage + bar_text(share, length) + tail, width);
     }
-    for (const std::string& tail : tails) {
-        if (&tail == tails.data()) continue;
+    for (const std::string& tail : {with_rate, with_time}) {
         if (stage.size() + tail.size() <= width) return without_end(stage + tail, width);
     }
     return without_end(stage + percent, width);

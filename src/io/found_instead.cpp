@@ -54,14 +54,6 @@ std::string found_in_folder(const std::filesystem::path& folder) {
            (results.empty() ? "" : ": " + did_you_mean(results));
 }
 
-std::string kind_of_file(const std::filesystem::path& path) {
-    constexpr std::string_view kDatabase = "SQLite format 3";
-    std::string start(kDatabase.size(), '\0');
-    std::ifstream(path, std::ios::binary).read(start.data(), std::ssize(start));
-    if (start == kDatabase) return "a project of quadcut";
-    return "a file";
-}
-
 }  // namespace
 
 bool has_result(const std::filesystem::path& folder) {
@@ -69,14 +61,26 @@ bool has_result(const std::filesystem::path& folder) {
     return std::filesystem::exists(folder / "rooms.yaml", error);
 }
 
+bool is_project(const std::filesystem::path& path) {
+    constexpr std::string_view kDatabase = "SQLite format 3";
+    std::error_code error;
+    // A pipe would be waited for.
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    std::string start(kDatabase.size(), '\0');
+    std::ifstream(path, std::ios::binary).read(start.data(), std::ssize(start));
+    return start == kDatabase;
+}
+
 std::string found_instead_of_result(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return found_in_folder(path);
     if (!std::filesystem::exists(path, error)) return "no such folder";
     const bool is_file = std::filesystem::is_regular_file(path, error);
-    const std::string kind = is_file ? kind_of_file(path) : "something that is no folder";
+    std::string kind = is_project(path) ? "a project of quadcut"
+                       : is_file        ? "a file"
+                                        : "something that is no folder";
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (has_result(folder)) return kind + ": " + did_you_mean({folder.string()});
+    if (has_result(folder)) kind += ": " + did_you_mean({folder.string()});
     return kind;
 }
 

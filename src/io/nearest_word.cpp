@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kFar = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostWords = 3;
+constexpr std::string_view kLongDash = "\xE2\x80\x93";
+constexpr std::string_view kLongerDash = "\xE2\x80\x94";
 /// A word that goes on where another ends: "segmentation". Shorter ones begin too many.
 constexpr std::size_t kShortestBeginning = 3;
 
@@ -23,6 +25,7 @@ constexpr std::size_t kPart = 3;
 
 /// What counts of a word.
 std::string key_of(std::string_view word) {
+    if (has_long_dash(word)) word.remove_prefix(kLongDash.size());
     word.remove_prefix(std::min(word.find_first_not_of('-'), word.size()));
     std::string key(word);
     for (char& c : key) {
@@ -89,6 +92,11 @@ std::size_t distance(std::string_view word, std::string_view known) {
 }
 
 }  // namespace
+
+bool has_long_dash(std::string_view word) {
+    const std::string_view start = word.substr(0, kLongDash.size());
+    return start == kLongDash || start == kLongerDash;
+}
 
 std::vector<std::string_view> nearest_words(std::string_view word,
                                             const std::vector<std::string_view>& known) {

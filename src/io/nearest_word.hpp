@@ -8,6 +8,10 @@
 
 namespace quadcut::io {
 
+/// Whether a word begins with one of the dashes (U+2013, U+2014) that a word processor makes of '-'
+/// and "--".
+[[nodiscard]] bool has_long_dash(std::string_view word);
+
 /// The words of `known` that `word` may have been meant for: those nearest to it, at most three,
 /// in their order; none when all are far. Case, dashes in front and '_' for '-' play no part. Near
 /// are, best first: the same word; the same last part ("min_room", "rooms.min_room"); a beginning

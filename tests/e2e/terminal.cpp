@@ -19,8 +19,9 @@ namespace {
 constexpr char kCtrlC = '\x03';
 
 /// In the child: nothing but what may follow a fork.
-[[noreturn]] void start(const std::vector<char*>& argv, const char* kind) {
-    ::setenv("TERM", kind, 1);
+[[noreturn]] void start(const std::vector<char*>& argv, const Terminal& terminal) {
+    ::setenv("TERM", terminal.kind.c_str(), 1);
+    ::setenv("COLUMNS", terminal.columns.c_str(), 1);
     ::execv(QUADCUT_BINARY, argv.data());
     ::_exit(127);
 }
@@ -41,7 +42,7 @@ Outcome run_in_terminal(const std::vector<std::string>& arguments, const Termina
     int screen = -1;
     const pid_t child = ::forkpty(&screen, nullptr, nullptr, &size);
     if (child < 0) throw std::runtime_error("no terminal");
-    if (child == 0) start(argv, terminal.kind.c_str());
+    if (child == 0) start(argv, terminal);
 
     Outcome outcome;
     bool is_interrupted = terminal.interrupt_at.empty();

@@ -11,11 +11,13 @@ namespace quadcut::test {
 
 /// A terminal of so many columns that a program is started in.
 struct Terminal {
-    int num_columns = 80;
+    int num_columns = 80;  ///< 0: it does not say
     /// What TERM says.
     std::string kind = "xterm";
+    /// What COLUMNS says.
+    std::string columns = "80";
     /// Ctrl-C is pressed when this has been printed; empty: never.
-    std::string interrupt_at;
+    std::string interrupt_at = {};
 };
 
 /// Runs quadcut in a terminal. `out` has all that was printed, as the terminal got it: lines end

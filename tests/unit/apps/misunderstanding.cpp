@@ -84,6 +84,12 @@ TEST(Misunderstanding, TheFolderThatIsMissing) {
               "unexpected 'out': did you mean 'quadcut paint north --quiet -o out'?");
 }
 
+TEST(Misunderstanding, DashesOfAWordProcessorAndDashesThatAreMissing) {
+    EXPECT_EQ(meant({"\xE2\x80\x93o", "x"}), "'-o DIR'?");
+    EXPECT_EQ(meant({"\xE2\x80\x94quiet"}), "'--quiet'?");
+    EXPECT_EQ(meant({"min_room=3"}), "'--set rooms.min_room=3'?");
+}
+
 TEST(Misunderstanding, OneAtATime) {
     EXPECT_EQ(
         error_of({"north", "south", "-o", "out"}),
