@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/command.hpp"
+#include "apps/input_kind.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
@@ -66,7 +67,7 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
-    const LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+    const LogMap log = map_log(read_log(arguments.operands[0]), poses_of(arguments),
                                resolution_m.value_or(kLogResolution), clock, progress);
     clock.begin("write");
     {

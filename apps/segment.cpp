@@ -51,8 +51,9 @@ struct Input {
     bool is_log = false;
 };
 
-Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress) {
-    LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
+                   Progress& progress) {
+    LogMap log = map_log(std::move(file), poses_of(arguments),
                          resolution_of(arguments).value_or(kLogResolution), clock, progress);
     Input input;
     input.map = std::move(log.map);
@@ -63,11 +64,10 @@ Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress
     return input;
 }
 
-Input read_map(const Arguments& arguments, StageClock& clock) {
-    clock.begin("read");
+Input input_of_map(const Arguments& arguments, io::InputFile bytes) {
     io::MapReadOptions options;
     options.resolution_m = resolution_of(arguments);
-    io::MapFile file = io::read_map(arguments.operands[0], options);
+    io::MapFile file = io::parse_map(std::move(bytes), options);
     Input input;
     input.map = std::move(file.map);
     input.keys = std::move(file.keys);
@@ -79,6 +79,15 @@ Input read_map(const Arguments& arguments, StageClock& clock) {
         }
     }
     return input;
+}
+
+Input read(const Arguments& arguments, StageClock& clock, Progress& progress) {
+    clock.begin("read");
+    KnownInput known = read_map_or_log(arguments.operands[0]);
+    if (known.kind == io::FileKind::laser_log) {
+        return input_of_log(arguments, std::move(known.file), clock, progress);
+    }
+    return input_of_map(arguments, std::move(known.file));
 }
 
 /// As many submaps as were asked for are all shown, whether the log's own trajectory crosses them
@@ -162,9 +171,7 @@ void run(const Arguments& arguments) {
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
-    Input input = find_input_kind(arguments.operands[0]) == InputKind::log
-                      ? read_log(arguments, clock, progress)
-                      : read_map(arguments, clock);
+    Input input = read(arguments, clock, progress);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info;
