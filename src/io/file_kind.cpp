@@ -236,9 +236,12 @@ FileNature find_file_nature(std::string_view bytes, std::string_view name) {
 std::string describe_refusal(std::string_view bytes, const std::string& name,
                              std::string_view expected) {
     if (bytes.empty()) return name + ": the file is empty, expected " + std::string(expected);
-    const FileNature nature = find_file_nature(bytes, name);
+    FileNature nature = find_file_nature(bytes, name);
+    // A name may promise what the bytes do not keep.
+    const bool is_by_name = find_file_nature(bytes, "").what.empty();
+    if (is_by_name && nature.kind != FileKind::unknown) nature = {};
     std::string text = name + ": is ";
-    text += nature.what.empty() ? "nothing that is known" : nature.what;
+    text += nature.what.empty() ? "of no kind that is known" : nature.what;
     text += ", expected ";
     text += expected;
     if (!nature.way_out.empty()) text += "; " + std::string(nature.way_out);

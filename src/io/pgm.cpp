@@ -142,7 +142,7 @@ bool is_comment(std::string_view bytes) {
 }
 
 /// Where the `num_bytes` of the pixels begin. What then ends where the file ends is right; a file
-/// that is longer still is judged by what stands before.
+/// that is longer or shorter is judged by what stands before.
 std::size_t find_raster(const PgmCursor& cursor, std::string_view bytes, std::size_t num_bytes) {
     const std::size_t end = cursor.position();
     const std::vector<std::size_t> starts = possible_starts(bytes, end);
@@ -154,8 +154,7 @@ std::size_t find_raster(const PgmCursor& cursor, std::string_view bytes, std::si
     std::size_t likely = starts.front();
     for (const std::size_t start : starts) {
         const std::string_view before = bytes.substr(end, start - end);
-        const bool is_header = is_comment(before) || (has_wide_ends && before == "\r\n");
-        if (is_header && bytes.size() - start > num_bytes) likely = start;
+        if (is_comment(before) || (has_wide_ends && before == "\r\n")) likely = start;
     }
     return likely;
 }
