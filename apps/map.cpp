@@ -90,7 +90,9 @@ void run(const Arguments& arguments) {
 Command map_command() {
     CommandForm form;
     form.name = "map";
-    form.text = "Makes a map of a laser log (CARMEN, plain or .gz): map.pgm and map.yaml.";
+    form.text =
+        "Makes a map of a laser log (CARMEN, plain or .gz; '-' is standard input): map.pgm and "
+        "map.yaml.";
     form.operands = {"LOG"};
     form.flags = {output_flag(), resolution_flag(), poses_flag(), json_flag(), quiet_flag()};
     return {form, run};

@@ -209,7 +209,9 @@ Command segment_command() {
     const std::vector<OptionField> fields = option_fields(defaults);
     CommandForm form;
     form.name = "segment";
-    form.text = "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) into rooms.";
+    form.text =
+        "Cuts a map (map_server YAML, or an image: PNG, PGM, TIFF, BMP, JPEG, GIF) or the map of a "
+        "laser log (CARMEN) into rooms. '-' is standard input.";
     form.operands = {"MAP|LOG"};
     form.flags = {output_flag(),
                   resolution_flag(),

@@ -237,9 +237,10 @@ std::string describe_refusal(std::string_view bytes, const std::string& name,
                              std::string_view expected) {
     if (bytes.empty()) return name + ": the file is empty, expected " + std::string(expected);
     FileNature nature = find_file_nature(bytes, name);
-    // A name may promise what the bytes do not keep.
+    // A name may promise what the bytes do not keep; poses are told by it alone.
     const bool is_by_name = find_file_nature(bytes, "").what.empty();
-    if (is_by_name && nature.kind != FileKind::unknown) nature = {};
+    const bool is_promise = nature.kind != FileKind::unknown && nature.kind != FileKind::poses;
+    if (is_by_name && is_promise) nature = {};
     std::string text = name + ": is ";
     text += nature.what.empty() ? "of no kind that is known" : nature.what;
     text += ", expected ";

@@ -14,7 +14,6 @@ namespace quadcut::io {
 
 /// Decodes them as parse_image() says: 8 bits, a BMP and a GIF as colours; of a GIF the first
 /// picture. The whole image is held, so that it may have kMaxPicturePixels only.
-inline constexpr std::uint64_t kMaxPicturePixels = std::uint64_t{1} << 28U;
 ParsedImage parse_picture(std::string_view bytes, const std::string& name,
                           const ImageRowSink& sink);
 

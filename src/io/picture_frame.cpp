@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "io/image_checks.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -51,6 +52,13 @@ private:
     const char* kind_;
     std::size_t position_ = 0;
 };
+
+/// Of what a byte stands for: `max_ratio` bytes of `promised` at most.
+void check_promise(const PromisedImage& promised, const std::string& name, std::size_t num_bytes,
+                   std::uint64_t max_ratio) {
+    check_size(promised, name + ": ", kMaxPicturePixels);
+    check_fits(promised, name, num_bytes, max_ratio);
+}
 
 constexpr std::uint32_t kOldBmpHeader = 12;
 constexpr std::uint64_t kBmpFileHeader = 14;
@@ -99,6 +107,40 @@ void check_palette(const BmpForm& form, std::string_view pixels, const std::stri
     }
 }
 
+constexpr unsigned kCodes = 0xC4;
+
+/// Marks without anything behind them: restarts, the beginning, and a byte of 0xFF that is none.
+bool stands_alone(unsigned mark) { return mark <= 0x01 || (mark >= 0xD0 && mark <= 0xD8); }
+
+/// Marks that say how large the image is.
+bool is_frame(unsigned mark) {
+    return mark >= 0xC0 && mark <= 0xCF && mark != kCodes && mark != 0xC8 && mark != 0xCC;
+}
+
+/// A byte holds eight blocks of 64 pixels at most.
+void check_jpeg_size(ByteCursor& cursor, const std::string& name, std::size_t num_bytes) {
+    constexpr std::uint64_t kMaxRatio = 1024;
+    cursor.skip(1);
+    const std::uint64_t height = cursor.big_word();
+    const std::uint64_t width = cursor.big_word();
+    check_promise({"JPEG", width, height, 8}, name, num_bytes, kMaxRatio);
+}
+
+/// The decoder has room for the 256 codes that there can be, and counts none.
+void check_codes(ByteCursor& cursor, std::size_t end, const std::string& name) {
+    constexpr unsigned kMaxCodes = 256;
+    while (cursor.position() < end) {
+        cursor.skip(1);
+        unsigned num_codes = 0;
+        for (int length = 1; length <= 16; ++length) num_codes += cursor.byte();
+        if (num_codes > kMaxCodes) {
+            throw InputError(name + ": byte " + std::to_string(cursor.position()) +
+                             ": damaged JPEG: more codes than there are");
+        }
+        cursor.skip(num_codes);
+    }
+}
+
 }  // namespace
 
 bool is_bmp(std::string_view bytes) {
@@ -120,6 +162,7 @@ bool is_gif(std::string_view bytes) {
 
 std::size_t end_of_bmp(std::string_view bytes, const std::string& name) {
     const BmpForm form = read_form(bytes, name);
+    check_promise({"BMP", form.width, form.height, std::max(form.bits, 1U)}, name, bytes.size(), 1);
     const std::uint64_t row_bytes = (form.width * form.bits + 31) / 32 * 4;
     const std::uint64_t left = bytes.size() - std::min<std::uint64_t>(form.offset, bytes.size());
     if (row_bytes > 0 && form.height > left / row_bytes) fail_short(name, "BMP", bytes.size());
@@ -131,10 +174,6 @@ std::size_t end_of_bmp(std::string_view bytes, const std::string& name) {
 std::size_t end_of_jpeg(std::string_view bytes, const std::string& name) {
     constexpr unsigned kMark = 0xFF;
     constexpr unsigned kEnd = 0xD9;
-    // Marks without anything behind them: restarts, the beginning, and a byte of 0xFF that is none.
-    const auto stands_alone = [](unsigned mark) {
-        return mark <= 0x01 || (mark >= 0xD0 && mark <= 0xD8);
-    };
     ByteCursor cursor(bytes, name, "JPEG");
     cursor.skip(2);
     while (true) {
@@ -144,8 +183,11 @@ std::size_t end_of_jpeg(std::string_view bytes, const std::string& name) {
         while (mark == kMark) mark = cursor.byte();
         if (mark == kEnd) return cursor.position();
         if (stands_alone(mark)) continue;
-        const std::uint32_t length = cursor.big_word();
-        cursor.skip(length < 2 ? 0 : length - 2);
+        const std::uint32_t length = std::max(cursor.big_word(), 2U);
+        const std::size_t end = cursor.position() + length - 2;
+        if (mark == kCodes) check_codes(cursor, end, name);
+        if (is_frame(mark)) check_jpeg_size(cursor, name, bytes.size());
+        cursor.move_to(end);
     }
 }
 
@@ -156,7 +198,12 @@ std::size_t end_of_gif(std::string_view bytes, const std::string& name) {
         return (flags & 0x80U) == 0 ? 0U : 3U << ((flags & 7U) + 1U);
     };
     ByteCursor cursor(bytes, name, "GIF");
-    cursor.skip(10);
+    // 12 bits stand for the longest string of pixels at most.
+    constexpr std::uint64_t kMaxRatio = 4096;
+    cursor.skip(6);
+    const std::uint64_t width = cursor.little(2);
+    const std::uint64_t height = cursor.little(2);
+    check_promise({"GIF", width, height, 8}, name, bytes.size(), kMaxRatio);
     const unsigned flags = cursor.byte();
     cursor.skip(2 + table_bytes(flags));
     while (true) {

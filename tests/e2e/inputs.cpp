@@ -42,6 +42,7 @@ std::string log_text() {
 std::map<std::string, std::string> results_in(const std::string& folder) {
     auto files = files_below(folder);
     files.erase("report.json");
+    files.erase("updates.jsonl");
     return files;
 }
 

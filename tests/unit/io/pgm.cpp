@@ -80,12 +80,11 @@ TEST(PgmRaster, PixelsMayLookLikeAHeader) {
 
 TEST(PgmRaster, AShortFileIsRefusedWhateverStandsBefore) {
     for (const std::string& header : kHeaders) {
-        for (std::size_t length = 2; length < header.size() + kWalls.size(); ++length) {
-            const std::string cut = (header + kWalls).substr(0, length);
-            // A comment may be as long as what is missing: then it is taken for the pixels.
-            const bool is_ambiguous = header.find('#') != std::string::npos;
-            const std::string error = test::error_of([&] { parse(cut); });
-            if (!is_ambiguous) EXPECT_NE(error.find("x.pgm: byte "), std::string::npos) << cut;
+        for (std::size_t missing = 1; missing <= kWalls.size(); ++missing) {
+            const std::string cut = header + kWalls.substr(missing);
+            // With one byte less, the second of a line end is taken for a pixel: it fits.
+            if (missing == 1 && header.ends_with("255\r\n")) continue;
+            EXPECT_EQ(test::error_of([&] { parse(cut); }).find("x.pgm: byte "), 0U) << cut;
         }
     }
 }

@@ -98,15 +98,18 @@ TEST(Picture, RefusesABmpThatIsDamaged) {
 }
 
 /// A grey JPEG of 8 x 8 pixels of 128 + `level` / 8: one block, whose codes are one bit long.
-std::string make_jpeg(std::uint16_t side = 8) {
+std::string make_jpeg(std::uint16_t side = 8, char num_codes = 1) {
     const auto big = [](unsigned value) {
         return std::string{static_cast<char>(value >> 8U), static_cast<char>(value)};
     };
-    const std::string table = "\1"s + std::string(15, '\0') + "\0"s;  // One code of one bit: 0.
+    // One code of one bit: 0.
+    const std::string table = num_codes + std::string(15, '\0') +
+                              std::string(static_cast<unsigned char>(num_codes), '\0');
+    const unsigned length = static_cast<unsigned>(3 + table.size());
     return "\xFF\xD8\xFF\xDB"s + big(67) + "\0"s + std::string(64, '\1') + "\xFF\xC0"s + big(11) +
-           "\x08"s + big(side) + big(side) + "\x01\x01\x11\0"s + "\xFF\xC4"s + big(20) + "\x00"s +
-           table.substr(0, 17) + "\xFF\xC4"s + big(20) + "\x10"s + table.substr(0, 17) +
-           "\xFF\xDA"s + big(8) + "\x01\x01\0\0\x3F\0"s + "\x3F\xFF\xD9"s;
+           "\x08"s + big(side) + big(side) + "\x01\x01\x11\0"s + "\xFF\xC4"s + big(length) +
+           "\x00"s + table + "\xFF\xC4"s + big(length) + "\x10"s + table + "\xFF\xDA"s + big(8) +
+           "\x01\x01\0\0\x3F\0"s + "\x3F\xFF\xD9"s;
 }
 
 TEST(Picture, ReadsJpeg) {
@@ -129,6 +132,11 @@ TEST(Picture, RefusesAJpegThatIsDamaged) {
                   parse(make_jpeg(10'000));
               }).find("x.img: the JPEG's header promises 10000 x 10000 pixels, more than "),
               0U);
+    // 255 codes of one bit, which its decoder would have no room for with those of two.
+    std::string codes = make_jpeg(8, '\xFF');
+    codes[codes.find("\xFF\xC4") + 6] = '\2';
+    EXPECT_NE(error_of([&] { parse(codes); }).find("damaged JPEG: more codes than there are"),
+              std::string::npos);
 }
 
 /// A GIF whose codes are never longer than three bits: the table is cleared after each pixel.
