@@ -69,6 +69,8 @@ struct BmpForm {
     std::uint64_t height = 0;
     unsigned bits = 0;
     std::uint64_t num_colors = 0;  ///< of the palette
+
+    [[nodiscard]] std::uint64_t row_bytes() const { return (width * bits + 31) / 32 * 4; }
 };
 
 BmpForm read_form(std::string_view bytes, const std::string& name) {
@@ -95,12 +97,13 @@ BmpForm read_form(std::string_view bytes, const std::string& name) {
 
 /// The decoder does not ask whether the palette has the colour of a pixel.
 void check_palette(const BmpForm& form, std::string_view pixels, const std::string& name) {
-    if (form.bits > 8 || form.num_colors >= std::uint64_t{1} << form.bits) return;
-    if (form.bits == 0) return;
+    if (form.bits == 0 || 8 % form.bits != 0) return;  // None, or refused by the decoder.
     const unsigned mask = (1U << form.bits) - 1U;
-    for (const char byte : pixels) {
-        for (unsigned shift = 0; shift < 8; shift += form.bits) {
-            if ((static_cast<unsigned char>(byte) >> shift & mask) < form.num_colors) continue;
+    if (form.num_colors > mask) return;
+    for (std::uint64_t first = 0; first < pixels.size(); first += form.row_bytes()) {
+        for (std::uint64_t bit = 0; bit < form.width * form.bits; bit += form.bits) {
+            const auto byte = static_cast<unsigned char>(pixels[first + bit / 8]);
+            if ((byte >> (8 - form.bits - bit % 8) & mask) < form.num_colors) continue;
             throw InputError(name + ": damaged BMP: a pixel's colour is not among the " +
                              std::to_string(form.num_colors) + " of the palette");
         }
@@ -163,11 +166,11 @@ bool is_gif(std::string_view bytes) {
 std::size_t end_of_bmp(std::string_view bytes, const std::string& name) {
     const BmpForm form = read_form(bytes, name);
     check_promise({"BMP", form.width, form.height, std::max(form.bits, 1U)}, name, bytes.size(), 1);
-    const std::uint64_t row_bytes = (form.width * form.bits + 31) / 32 * 4;
-    const std::uint64_t left = bytes.size() - std::min<std::uint64_t>(form.offset, bytes.size());
-    if (row_bytes > 0 && form.height > left / row_bytes) fail_short(name, "BMP", bytes.size());
-    const auto end = static_cast<std::size_t>(form.offset + form.height * row_bytes);
-    check_palette(form, bytes.substr(form.offset, end - form.offset), name);
+    const std::uint64_t num_bytes = form.height * form.row_bytes();
+    const bool fits = form.offset <= bytes.size() && num_bytes <= bytes.size() - form.offset;
+    if (!fits) fail_short(name, "BMP", bytes.size());
+    const auto end = static_cast<std::size_t>(form.offset + num_bytes);
+    check_palette(form, bytes.substr(form.offset, num_bytes), name);
     return end;
 }
 
