@@ -14,6 +14,7 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/follow_session.hpp"
+#include "apps/input_kind.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
@@ -118,7 +119,8 @@ void run(const Arguments& arguments) {
     options.segment.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
-    const PosedLog log = read_posed_log(arguments.operands[0], poses_of(arguments), clock);
+    clock.begin("read");
+    const PosedLog log = parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments));
 
     clock.begin("follow");
     io::RunInfo info = run_info_of(options.segment);
@@ -138,7 +140,7 @@ void run(const Arguments& arguments) {
     }
     session.finish();
     if (!follower.map().is_placed()) {
-        throw InputError(io::display_name(arguments.operands[0]) +
+        throw InputError(log.name +
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");

@@ -2,90 +2,51 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/input_kind.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
-#include "io/file.hpp"
-#include "io/image.hpp"
+#include "apps/input_folder.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kNumBytesLookedAt = 65536;
+using io::FileKind;
 
-std::string lower_suffix(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return suffix;
-}
+constexpr std::string_view kMapOrLog = "a map (map.yaml, or its image) or a laser log (CARMEN)";
+constexpr std::string_view kLog = "a laser log (CARMEN)";
 
-template <std::size_t N>
-bool is_one_of(std::string_view text, const std::array<std::string_view, N>& words) {
-    return std::find(words.begin(), words.end(), text) != words.end();
-}
-
-std::optional<InputKind> kind_of_suffix(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 4> kMaps{".yaml", ".yml", ".pgm", ".png"};
-    constexpr std::array<std::string_view, 3> kLogs{".log", ".clf", ".gz"};
-    const std::string suffix = lower_suffix(path);
-    if (is_one_of(suffix, kMaps)) return InputKind::map;
-    if (is_one_of(suffix, kLogs)) return InputKind::log;
-    return std::nullopt;
-}
-
-/// Whether some line begins as the messages of a CARMEN log do.
-bool looks_like_log(std::string_view text) {
-    constexpr std::array<std::string_view, 8> kMessages{
-        "FLASER", "RLASER", "ROBOTLASER", "RAWLASER", "ODOM", "PARAM", "SYNC", "TRUEPOS"};
-    while (!text.empty()) {
-        const std::size_t length = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, length);
-        text.remove_prefix(std::min(length + 1, text.size()));
-        const auto begins = [line](std::string_view word) { return line.rfind(word, 0) == 0; };
-        if (std::any_of(kMessages.begin(), kMessages.end(), begins)) return true;
-    }
-    return false;
-}
-
-std::string first_bytes(const std::filesystem::path& path, const std::string& name) {
+io::InputFile read_unless(const std::filesystem::path& path, std::string_view expected,
+                          const io::BeginningCheck& check) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw InputError(name + ": is a folder; expected a map or a laser log");
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(name + ": cannot be opened: " + std::strerror(errno));
-    std::string bytes(kNumBytesLookedAt, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
+    if (std::filesystem::is_directory(path, error)) refuse_folder(path, expected);
+    return io::read_input(path, check);
+}
+
+[[noreturn]] void refuse(const io::InputFile& file, std::string_view expected) {
+    throw InputError(io::describe_refusal(file.bytes, file.name, expected));
 }
 
 }  // namespace
 
-InputKind find_input_kind(const std::filesystem::path& path) {
-    if (const std::optional<InputKind> kind = kind_of_suffix(path)) return *kind;
+KnownInput read_map_or_log(const std::filesystem::path& path) {
+    FileKind kind = FileKind::unknown;
+    io::InputFile file = read_unless(path, kMapOrLog, [&kind](const io::InputFile& beginning) {
+        kind = io::find_file_nature(beginning.bytes, beginning.name).kind;
+        if (kind == FileKind::unknown || kind == FileKind::poses) refuse(beginning, kMapOrLog);
+    });
+    return {kind, std::move(file)};
+}
 
-    const std::string name = io::display_name(path);
-    const std::string bytes = first_bytes(path, name);
-    if (io::is_png(bytes) || io::is_pgm(bytes)) return InputKind::map;
-    if (bytes.rfind("\x1F\x8B", 0) == 0) return InputKind::log;
-    if (looks_like_log(bytes)) return InputKind::log;
-
-    constexpr std::array<std::string_view, 3> kBags{".bag", ".db3", ".mcap"};
-    if (is_one_of(lower_suffix(path), kBags)) {
-        throw InputError(name +
-                         ": ROS bags are not in this version of quadcut; expected a map "
-                         "(.yaml, PGM, PNG) or a CARMEN log");
-    }
-    throw InputError(name + ": neither a map (.yaml, PGM, PNG) nor a laser log (CARMEN)");
+io::InputFile read_log(const std::filesystem::path& path) {
+    return read_unless(path, kLog, [](const io::InputFile& beginning) {
+        const io::FileNature nature = io::find_file_nature(beginning.bytes, beginning.name);
+        // What nobody knows may be a log all the same, whose reader says what is wrong with it.
+        if (nature.kind == FileKind::laser_log || nature.what.empty()) return;
+        refuse(beginning, kLog);
+    });
 }
 
 }  // namespace quadcut

@@ -2,16 +2,25 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+
+#include "io/file.hpp"
+#include "io/file_kind.hpp"
 
 namespace quadcut {
 
-enum class InputKind : std::uint8_t { map, log };
+/// An input with what it is: a map (YAML or image) or a laser log.
+struct KnownInput {
+    io::FileKind kind = io::FileKind::unknown;
+    io::InputFile file;
+};
 
-/// Whether a file is a map (YAML, PGM, PNG) or a laser log (CARMEN, plain or gzip): by its suffix,
-/// and where that does not say by its first bytes. Throws InputError when the file cannot be read
-/// or is neither; a ROS bag is told that this version does not read it.
-[[nodiscard]] InputKind find_input_kind(const std::filesystem::path& path);
+/// Reads a map or a log once: a file, a pipe or standard input ("-"), plain or gzip. Anything else
+/// (a bag, a folder, ...) is refused after its first bytes: throws InputError that says what it is,
+/// and how a map or a log is made of it.
+[[nodiscard]] KnownInput read_map_or_log(const std::filesystem::path& path);
+
+/// Reads a log the same way; a map is refused, too.
+[[nodiscard]] io::InputFile read_log(const std::filesystem::path& path);
 
 }  // namespace quadcut

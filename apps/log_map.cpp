@@ -6,7 +6,6 @@
 
 #include "apps/pose_match.hpp"
 #include "io/carmen.hpp"
-#include "io/file.hpp"
 #include "io/poses.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/integrate.hpp"
@@ -14,27 +13,27 @@
 
 namespace quadcut {
 
-PosedLog read_posed_log(const std::filesystem::path& log,
-                        const std::optional<std::filesystem::path>& poses, StageClock& clock) {
-    clock.begin("read");
-    io::LogFile file = io::read_carmen_log(log);
-    PosedLog result{std::move(file.scans), std::move(file.warnings), file.content_hash};
+PosedLog parse_posed_log(io::InputFile log, const std::optional<std::filesystem::path>& poses) {
+    io::LogFile file = io::parse_carmen_log(log.bytes, log.name);
+    PosedLog result{std::move(log.name), std::move(file.scans), std::move(file.warnings),
+                    file.content_hash};
     if (poses) {
         const std::string name = io::display_name(*poses);
         PosedScans posed = with_poses(std::move(result.scans), io::read_poses(*poses), name);
         if (posed.num_left_out > 0) {
             result.warnings.push_back(name + ": no pose near " +
                                       std::to_string(posed.num_left_out) + " of the scans of " +
-                                      io::display_name(log) + "; they are left out");
+                                      result.name + "; they are left out");
         }
         result.scans = std::move(posed.scans);
     }
     return result;
 }
 
-LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesystem::path>& poses,
+LogMap map_log(io::InputFile log, const std::optional<std::filesystem::path>& poses,
                double resolution_m, StageClock& clock, Progress& progress) {
-    PosedLog posed = read_posed_log(log, poses, clock);
+    clock.begin("read");
+    PosedLog posed = parse_posed_log(std::move(log), poses);
     const std::vector<Scan>& scans = posed.scans;
     LogMap result;
     result.warnings = std::move(posed.warnings);
@@ -45,7 +44,7 @@ LogMap map_log(const std::filesystem::path& log, const std::optional<std::filesy
     });
     result.map = map.to_grid();
     if (result.map.states.values.empty()) {
-        throw InputError(io::display_name(log) +
+        throw InputError(posed.name +
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     result.num_leaves = map.num_leaves();

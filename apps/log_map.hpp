@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/progress.hpp"
+#include "io/file.hpp"
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/grid_map.hpp"
@@ -29,21 +30,20 @@ struct LogMap {
 
 /// The scans of a laser log, in the order of its lines.
 struct PosedLog {
+    std::string name;  ///< of the log, in messages
     std::vector<Scan> scans;
     std::vector<std::string> warnings;
     std::uint64_t content_hash = 0;
 };
 
-/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). The
-/// stage is `read`. Throws InputError.
-[[nodiscard]] PosedLog read_posed_log(const std::filesystem::path& log,
-                                      const std::optional<std::filesystem::path>& poses,
-                                      StageClock& clock);
+/// The scans of a log that was read; `poses` names a file of poses that replace the log's own (see
+/// with_poses). Throws InputError.
+[[nodiscard]] PosedLog parse_posed_log(io::InputFile log,
+                                       const std::optional<std::filesystem::path>& poses);
 
-/// Reads a log as read_posed_log() does and maps it. The stages are `read` and `map`. Throws
-/// InputError.
-[[nodiscard]] LogMap map_log(const std::filesystem::path& log,
-                             const std::optional<std::filesystem::path>& poses, double resolution_m,
-                             StageClock& clock, Progress& progress);
+/// Maps a log that was read, with poses as parse_posed_log() has them. The stages are `read` and
+/// `map`. Throws InputError.
+[[nodiscard]] LogMap map_log(io::InputFile log, const std::optional<std::filesystem::path>& poses,
+                             double resolution_m, StageClock& clock, Progress& progress);
 
 }  // namespace quadcut

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/command.hpp"
+#include "apps/input_kind.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
@@ -68,7 +69,7 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
-    const LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+    const LogMap log = map_log(read_log(arguments.operands[0]), poses_of(arguments),
                                resolution_m.value_or(kLogResolution), clock, progress);
     clock.begin("write");
     {
@@ -92,7 +93,9 @@ void run(const Arguments& arguments) {
 Command map_command() {
     CommandForm form;
     form.name = "map";
-    form.text = "Makes a map of a laser log (CARMEN, plain or .gz): map.pgm and map.yaml.";
+    form.text =
+        "Makes a map of a laser log (CARMEN, plain or .gz; '-' is standard input): map.pgm and "
+        "map.yaml.";
     form.operands = {"LOG"};
     form.flags = {output_flag(), force_flag(), resolution_flag(),
                   poses_flag(),  json_flag(),  quiet_flag()};

@@ -4,7 +4,9 @@
 
 #include <vector>
 
+#include "io/file.hpp"
 #include "io/option_text.hpp"
+#include "quadcut/base/error.hpp"
 #include "quadcut/base/option_field.hpp"
 
 namespace quadcut {
@@ -40,7 +42,11 @@ std::optional<double> resolution_of(const Arguments& arguments) {
 }
 
 std::optional<std::filesystem::path> poses_of(const Arguments& arguments) {
-    return arguments.value("--poses");
+    const std::optional<std::string> poses = arguments.value("--poses");
+    if (poses == io::kStandardInput && arguments.operands.at(0) == io::kStandardInput) {
+        throw InputError("standard input: given twice, expected the poses or the other in a file");
+    }
+    return poses;
 }
 
 ProgressStyle progress_style_of(const Arguments& arguments) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "apps/command.hpp"
+#include "apps/message.hpp"
 #include "io/label_image.hpp"
 
 namespace quadcut {
@@ -16,6 +17,9 @@ void run(const Arguments& arguments) {
     const io::LabelImage truth = io::read_label_image(arguments.operands[1]);
     std::optional<io::FreeMask> free_mask;
     if (arguments.operands.size() > 2) free_mask = io::read_free_mask(arguments.operands[2]);
+    print_warnings(predicted.warnings);
+    print_warnings(truth.warnings);
+    if (free_mask) print_warnings(free_mask->warnings);
     std::cout << io::to_json(io::score_rooms(predicted, truth, free_mask)) << "\n";
 }
 

@@ -46,8 +46,9 @@ struct Input {
     bool is_log = false;
 };
 
-Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress) {
-    LogMap log = map_log(arguments.operands[0], poses_of(arguments),
+Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
+                   Progress& progress) {
+    LogMap log = map_log(std::move(file), poses_of(arguments),
                          resolution_of(arguments).value_or(kLogResolution), clock, progress);
     Input input;
     input.map = std::move(log.map);
@@ -58,11 +59,10 @@ Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress
     return input;
 }
 
-Input read_map(const Arguments& arguments, io::FileBatch& output, StageClock& clock) {
-    clock.begin("read");
+Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
     io::MapReadOptions options;
     options.resolution_m = resolution_of(arguments);
-    io::MapFile file = io::read_map(arguments.operands[0], options);
+    io::MapFile file = io::parse_map(std::move(bytes), options);
     output.protect(file.image_path);
     output.require_free(io::result_files());
     Input input;
@@ -111,9 +111,9 @@ void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
 }
 
 /// What the run will write: the map, too, when it is made of a log.
-std::vector<std::string> files_of(InputKind kind) {
+std::vector<std::string> files_of(io::FileKind kind) {
     std::vector<std::string> files = io::result_files();
-    if (kind == InputKind::map) return files;
+    if (kind != io::FileKind::laser_log) return files;
     for (std::string& file : io::map_files()) files.push_back(std::move(file));
     return files;
 }
@@ -159,12 +159,15 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
-    const InputKind kind = find_input_kind(arguments.operands[0]);
-    const std::vector<std::string> files = files_of(kind);
+    clock.begin("read");
+    KnownInput known = read_map_or_log(arguments.operands[0]);
+    const std::vector<std::string> files = files_of(known.kind);
     io::FileBatch output = begin_output(arguments, files, inputs_of(arguments));
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
-    Input input = kind == InputKind::log ? read_log(arguments, clock, progress)
-                                         : read_map(arguments, output, clock);
+    clock.begin("read");
+    Input input = known.kind == io::FileKind::laser_log
+                      ? input_of_log(arguments, std::move(known.file), clock, progress)
+                      : input_of_map(arguments, std::move(known.file), output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(options);
@@ -197,7 +200,9 @@ Command segment_command() {
     const std::vector<OptionField> fields = option_fields(defaults);
     CommandForm form;
     form.name = "segment";
-    form.text = "Cuts a map (YAML, PGM, PNG) or the map of a laser log (CARMEN) into rooms.";
+    form.text =
+        "Cuts a map (map_server YAML, or an image: PNG, PGM, TIFF, BMP, JPEG, GIF) or the map of a "
+        "laser log (CARMEN) into rooms. '-' is standard input.";
     form.operands = {"MAP|LOG"};
     form.flags = {output_flag(),
                   force_flag(),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -53,41 +54,102 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-/// What a file says of its own length; 0 for pipes and devices.
-std::uint64_t stated_size(int descriptor, const std::filesystem::path& path) {
+/// Throws unless there is an end to what is read there. Sockets are what some programs pass as
+/// pipes.
+void check_readable(const struct stat& status, const std::string& name) {
+    if (S_ISREG(status.st_mode) || S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)) return;
+    if (S_ISDIR(status.st_mode)) {
+        throw InputError(name + ": cannot be read as a file: " + std::strerror(EISDIR));
+    }
+    throw InputError(name + ": is a device, expected a file or a pipe");
+}
+
+Descriptor open_to_read(const std::filesystem::path& path) {
+    // Opening a device may already do something: it is looked at first.
     struct stat status = {};
-    if (::fstat(descriptor, &status) != 0) fail(path, "cannot be read", errno);
-    if (S_ISDIR(status.st_mode)) fail(path, "cannot be read as a file", EISDIR);
+    if (::stat(path.c_str(), &status) == 0) check_readable(status, display_name(path));
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(path, "cannot be opened", errno);
+    return Descriptor(descriptor);
+}
+
+/// What a file says of its own length; 0 for pipes.
+std::uint64_t stated_size(int descriptor, const std::string& name) {
+    struct stat status = {};
+    if (::fstat(descriptor, &status) != 0) fail(name, "cannot be read", errno);
+    check_readable(status, name);
     return S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+/// `bytes` and what is read after them, `end` bytes in all or up to the file's end.
+std::string read_up_to(int descriptor, std::size_t end, const std::string& name,
+                       std::string bytes) {
+    std::size_t size = bytes.size();
+    bytes.resize(end);
+    while (size < end) {
+        const ssize_t count = ::read(descriptor, bytes.data() + size, end - size);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail(name, "cannot be read", errno);
+        if (count == 0) break;
+        size += static_cast<std::size_t>(count);
+    }
+    bytes.resize(size);
+    return bytes;
+}
+
+/// `file` with the bytes of the descriptor.
+InputFile read_all(int descriptor, std::uint64_t max_bytes, const BeginningCheck& check,
+                   InputFile file) {
+    const auto check_size = [&](std::uint64_t size) {
+        if (size <= max_bytes) return;
+        throw InputError(file.name + ": larger than the " + std::to_string(max_bytes) +
+                         " bytes that are read at most");
+    };
+    const std::uint64_t stated = stated_size(descriptor, file.name);
+    std::size_t end = 0;
+    if (check) {
+        end = kBeginningBytes;
+        file.bytes = read_up_to(descriptor, end, file.name, {});
+        check(file);
+    }
+    check_size(stated);
+    while (file.bytes.size() == end) {
+        // One more than the file states, to meet its end at once.
+        end = std::max({static_cast<std::size_t>(stated) + 1, 2 * end, kReadBytes});
+        file.bytes = read_up_to(descriptor, end, file.name, std::move(file.bytes));
+        check_size(file.bytes.size());
+    }
+    return file;
+}
+
+/// Descriptors' paths, as of <(...), lie in no folder of the user.
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    const std::string folder = path.parent_path().string();
+    const bool is_descriptor =
+        folder == "/dev" || folder == "/dev/fd" || folder.starts_with("/proc/");
+    return is_descriptor ? "" : folder;
 }
 
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.value() < 0) fail(path, "cannot be opened", errno);
+    const Descriptor descriptor = open_to_read(path);
+    return read_all(descriptor.value(), max_bytes, {}, {path, display_name(path), {}, {}}).bytes;
+}
 
-    const std::uint64_t expected = stated_size(file.value(), path);
-    const auto too_large = [&] {
-        return InputError(display_name(path) + ": larger than the " + std::to_string(max_bytes) +
-                          " bytes that are read at most");
-    };
-    if (expected > max_bytes) throw too_large();
-
-    std::string bytes;
-    std::size_t size = 0;
-    bytes.resize(static_cast<std::size_t>(expected) + 1);  // One more, to meet the end at once.
-    while (true) {
-        if (size == bytes.size()) bytes.resize(bytes.size() + std::max(bytes.size(), kReadBytes));
-        const ssize_t count = ::read(file.value(), bytes.data() + size, bytes.size() - size);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail(path, "cannot be read", errno);
-        if (count == 0) break;
-        size += static_cast<std::size_t>(count);
-        if (size > max_bytes) throw too_large();
+InputFile read_input(const std::filesystem::path& path, const BeginningCheck& check) {
+    if (path == kStandardInput) {
+        const std::string name = "standard input";
+        if (::isatty(STDIN_FILENO) != 0) {
+            throw InputError(name +
+                             ": is a terminal, expected a file or a pipe, as in "
+                             "'quadcut segment - -o DIR < map.pgm'");
+        }
+        return read_all(STDIN_FILENO, kMaxFileBytes, check, {path, name, {}, {}});
     }
-    bytes.resize(size);
-    return bytes;
+    const Descriptor descriptor = open_to_read(path);
+    return read_all(descriptor.value(), kMaxFileBytes, check,
+                    {path, display_name(path), folder_of(path), {}});
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {

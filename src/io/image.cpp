@@ -3,22 +3,63 @@
 #include "io/image.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "io/file.hpp"
+#include "io/file_kind.hpp"
+#include "io/inflate.hpp"
+#include "io/picture.hpp"
+#include "io/tiff.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
+
+namespace {
+
+struct ImageFormat {
+    bool (*begins)(std::string_view bytes);
+    ParsedImage (*parse)(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+};
 
 bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
 
 bool is_pgm(std::string_view bytes) { return bytes.starts_with("P2") || bytes.starts_with("P5"); }
 
-ImageHeader parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
-    if (is_png(bytes)) return parse_png(bytes, name, sink);
-    if (is_pgm(bytes)) return parse_pgm(bytes, name, sink);
-    throw InputError(name +
-                     (bytes.empty() ? ": the file is empty" : ": not an image that is read") +
-                     ", expected a PNG or a PGM (P2, P5)");
+constexpr std::array kFormats{ImageFormat{is_png, parse_png}, ImageFormat{is_pgm, parse_pgm},
+                              ImageFormat{is_tiff, parse_tiff},
+                              ImageFormat{is_picture, parse_picture}};
+
+const ImageFormat* find_format(std::string_view bytes) {
+    const auto found =
+        std::find_if(kFormats.begin(), kFormats.end(),
+                     [bytes](const ImageFormat& format) { return format.begins(bytes); });
+    return found == kFormats.end() ? nullptr : &*found;
+}
+
+void require_image(std::string_view bytes, const std::string& name) {
+    if (is_image(bytes)) return;
+    throw InputError(describe_refusal(bytes, name, "an image (PNG, PGM, TIFF, BMP, JPEG, GIF)"));
+}
+
+}  // namespace
+
+bool is_image(std::string_view bytes) {
+    if (is_gzip(bytes)) return find_format(unpack_beginning(bytes)) != nullptr;
+    return find_format(bytes) != nullptr;
+}
+
+ParsedImage parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
+    if (is_gzip(bytes) && is_image(bytes)) {
+        const std::string unpacked = unpack_gzip(bytes, name, kMaxFileBytes);
+        return find_format(unpacked)->parse(unpacked, name, sink);
+    }
+    require_image(bytes, name);
+    return find_format(bytes)->parse(bytes, name, sink);
+}
+
+InputFile read_image_input(const std::filesystem::path& path) {
+    return read_input(
+        path, [](const InputFile& beginning) { require_image(beginning.bytes, beginning.name); });
 }
 
 Image read_image(const std::filesystem::path& path) {
@@ -32,7 +73,8 @@ Image read_image(const std::filesystem::path& path) {
                   image.samples.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) *
                                                                       header.row_samples()));
     };
-    image.header = parse_image(read_file(path), display_name(path), keep_row);
+    const InputFile file = read_image_input(path);
+    image.header = parse_image(file.bytes, file.name, keep_row).header;
     return image;
 }
 

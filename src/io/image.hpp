@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/file.hpp"
 #include "quadcut/base/parallel.hpp"
 
 namespace quadcut::io {
@@ -49,17 +50,30 @@ using ImageRowSink = std::function<void(const ImageHeader& header, std::int32_t 
 /// Fills the rows of an image from the top down.
 using ImageRowSource = std::function<void(std::int32_t y, std::span<std::uint16_t> samples)>;
 
-/// Whether the bytes begin like a PNG or like a PGM (P2, P5).
-[[nodiscard]] bool is_png(std::string_view bytes);
-[[nodiscard]] bool is_pgm(std::string_view bytes);
+/// What was found out about an image while its rows were handed on.
+struct ParsedImage {
+    ImageHeader header;
+    std::vector<std::string> warnings;  ///< without the name of the file
+};
 
-/// Decodes a PNG (any colour type and depth; palettes and 1, 2 and 4 bits are expanded to 8) or a
-/// PGM (P2, P5, 8 and 16 bits), told apart by content, row by row: an image that is not interlaced
-/// needs memory for one row only. Throws InputError when the bytes are neither, are damaged or
-/// end early, or when the image has more than kMaxImagePixels; `name` stands in the messages.
-ImageHeader parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
-ImageHeader parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
-ImageHeader parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+/// Whether the bytes begin like an image of a kind that parse_image() reads.
+[[nodiscard]] bool is_image(std::string_view bytes);
+
+/// Decodes an image row by row, its kind told by content:
+/// PNG (any colour type and depth; palettes and 1, 2 and 4 bits are expanded to 8),
+/// PGM (P2, P5, 8 and 16 bits), TIFF (as parse_tiff() says), BMP, JPEG, GIF (the first picture),
+/// and any of these in gzip. A PNG or TIFF that is not interlaced or tiled needs memory for one row
+/// only, a BMP, JPEG or GIF for all. Sizes are read from headers, and refused, before memory is
+/// taken for them. Bytes after the image are a warning. Throws InputError when the bytes are of no
+/// such kind, are damaged or end early, or when the image has more than kMaxImagePixels; `name`
+/// stands in the messages.
+ParsedImage parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+ParsedImage parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+ParsedImage parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
+
+/// Reads the bytes of an image, which may come through a pipe or standard input ("-"). Throws
+/// InputError as read_input() does, and when its first bytes are of no image.
+[[nodiscard]] InputFile read_image_input(const std::filesystem::path& path);
 
 /// Reads a whole image. Errors as parse_image and read_file.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);

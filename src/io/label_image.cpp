@@ -42,6 +42,11 @@ std::uint32_t grey_level(const ImageHeader& header, std::span<const std::uint16_
            16U;
 }
 
+std::vector<std::string> named(std::vector<std::string> warnings, const std::string& name) {
+    for (std::string& warning : warnings) warning.insert(0, name + ": ");
+    return warnings;
+}
+
 }  // namespace
 
 LabelImage number_regions(std::int32_t width, std::int32_t height,
@@ -81,27 +86,32 @@ LabelImage number_regions(std::int32_t width, std::int32_t height,
 
 LabelImage read_label_image(const std::filesystem::path& path) {
     std::vector<std::uint32_t> values;
-    const ImageHeader form = parse_image(
-        read_file(path), display_name(path),
+    const InputFile file = read_image_input(path);
+    const ParsedImage parsed = parse_image(
+        file.bytes, file.name,
         [&](const ImageHeader& header, std::int32_t, std::span<const std::uint16_t> samples) {
             for (std::int32_t x = 0; x < header.width; ++x) {
                 values.push_back(region_value(header, samples, x));
             }
         });
-    return number_regions(form.width, form.height, values);
+    LabelImage image = number_regions(parsed.header.width, parsed.header.height, values);
+    image.warnings = named(parsed.warnings, file.name);
+    return image;
 }
 
 FreeMask read_free_mask(const std::filesystem::path& path) {
     FreeMask mask;
-    const ImageHeader form = parse_image(
-        read_file(path), display_name(path),
+    const InputFile file = read_image_input(path);
+    const ParsedImage parsed = parse_image(
+        file.bytes, file.name,
         [&](const ImageHeader& header, std::int32_t, std::span<const std::uint16_t> samples) {
             for (std::int32_t x = 0; x < header.width; ++x) {
                 mask.is_free.push_back(grey_level(header, samples, x) > kUnknownGrey ? 1 : 0);
             }
         });
-    mask.width = form.width;
-    mask.height = form.height;
+    mask.width = parsed.header.width;
+    mask.height = parsed.header.height;
+    mask.warnings = named(parsed.warnings, file.name);
     return mask;
 }
 

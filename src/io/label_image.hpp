@@ -19,6 +19,7 @@ struct LabelImage {
     std::int32_t height = 0;
     std::uint32_t num_regions = 0;
     std::vector<std::uint32_t> values;
+    std::vector<std::string> warnings = {};  ///< with the name of the file
 };
 
 /// Regions of this many pixels or fewer are not counted as regions when segmentations are compared.
@@ -40,6 +41,7 @@ struct FreeMask {
     std::int32_t width = 0;
     std::int32_t height = 0;
     std::vector<std::uint8_t> is_free;
+    std::vector<std::string> warnings = {};  ///< with the name of the file
 };
 
 /// A cell is free where the image is brighter than 205 of 255, map_server's "unknown"; colours by

@@ -4,10 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "io/inflate.hpp"
 
 namespace quadcut::io {
 
@@ -24,30 +25,25 @@ struct LineLimits {
     std::uint64_t max_total_bytes = std::uint64_t{1} << 32U;
 };
 
-/// Splits bytes into lines ("\n" or "\r\n"), plain or gzip by their content. Compressed bytes are
-/// unpacked piece by piece: memory is bounded by the longest line allowed.
+/// Splits bytes into lines ("\n" or "\r\n"), plain or gzip by their content. A byte order mark
+/// before the first is left out. Compressed bytes are unpacked piece by piece: memory is bounded by
+/// the longest line allowed.
 class LineReader {
 public:
     /// @pre `bytes` outlives the reader. `name` stands in messages.
     LineReader(std::string_view bytes, std::string name, LineLimits limits = {});
-    LineReader(LineReader&&) noexcept;
-    LineReader& operator=(LineReader&&) noexcept;
-    ~LineReader();
 
     /// The next line; nothing at the end. Throws InputError when compressed bytes are damaged, end
     /// early, or unpack to more than the limit.
     std::optional<Line> next();
 
 private:
-    class Inflater;
-
     bool refill();
 
-    std::string name_;
     LineLimits limits_;
-    std::unique_ptr<Inflater> inflater_;  ///< null: plain bytes
-    std::string_view pending_;            ///< unpacked, not yet returned
-    std::string carried_;                 ///< the beginning of a line that spans two pieces
+    std::optional<Inflater> inflater_;  ///< none: plain bytes
+    std::string_view pending_;          ///< unpacked, not yet returned
+    std::string carried_;               ///< the beginning of a line that spans two pieces
     std::uint64_t line_number_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "io/file.hpp"
+#include "io/file_kind.hpp"
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -129,25 +130,18 @@ std::filesystem::path home_of_user() {
     return found->pw_dir;
 }
 
-std::filesystem::path find_image(const std::string& image, const std::filesystem::path& yaml,
+std::filesystem::path find_image(const std::string& image, const InputFile& yaml,
                                  const MapReadOptions& options) {
     if (image == "~" || image.starts_with("~/")) {
         const std::filesystem::path home =
             options.home_folder.empty() ? home_of_user() : options.home_folder;
         if (home.empty()) {
-            throw InputError(display_name(yaml) + ": image: " + image +
+            throw InputError(yaml.name + ": image: " + image +
                              ": no home folder is known, expected a path without ~");
         }
         return image.size() <= 2 ? home : home / image.substr(2);
     }
-    return yaml.parent_path() / image;  // An absolute path stays as it is.
-}
-
-bool has_yaml_name(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return suffix == ".yaml" || suffix == ".yml";
+    return yaml.folder / image;  // An absolute path stays as it is.
 }
 
 std::string read_image_of_yaml(const MapFile& file, const std::string& yaml_name) {
@@ -183,25 +177,31 @@ ParsedMap parse_map_image(std::string_view image_bytes, const std::string& name,
         // Row 0 of an image is the top, row 0 of a raster the lowest.
         pixels->convert(samples, &states.at({0, header.height - 1 - y}));
     };
-    parse_image(image_bytes, name, convert_row);
-    parsed.warnings = warn_of_free_unknown(*pixels, states.values.size(), keys);
+    parsed.warnings = parse_image(image_bytes, name, convert_row).warnings;
+    for (std::string& warning : warn_of_free_unknown(*pixels, states.values.size(), keys)) {
+        parsed.warnings.push_back(std::move(warning));
+    }
     return parsed;
 }
 
 MapFile read_map(const std::filesystem::path& path, const MapReadOptions& options) {
+    return parse_map(read_input(path), options);
+}
+
+MapFile parse_map(InputFile input, const MapReadOptions& options) {
     if (options.resolution_m) check_resolution(*options.resolution_m, "");
-    const std::string name = display_name(path);
-    std::string bytes = read_file(path);
+    const std::string& name = input.name;
+    std::string bytes = std::move(input.bytes);
     MapFile file;
     file.content_hash = hash_bytes(bytes);
-    file.has_yaml = has_yaml_name(path) && !is_png(bytes) && !is_pgm(bytes);
+    file.has_yaml = find_file_nature(bytes, name).kind == FileKind::map_yaml;
     file.keys = file.has_yaml ? parse_map_yaml(bytes, name) : bare_image_keys();
-    file.image_path = file.has_yaml ? find_image(file.keys.image, path, options) : path;
+    file.image_path = file.has_yaml ? find_image(file.keys.image, input, options) : input.path;
     if (file.has_yaml) {
         bytes = read_image_of_yaml(file, name);
         file.content_hash = hash_bytes(bytes, file.content_hash);
     } else {
-        file.keys.image = path.filename().string();
+        file.keys.image = input.path.filename().string();
         if (!options.resolution_m) {
             file.warnings.push_back(name +
                                     ": an image states no resolution, taken as 0.05 m a "
@@ -209,7 +209,8 @@ MapFile read_map(const std::filesystem::path& path, const MapReadOptions& option
         }
     }
     file.keys.resolution_m = options.resolution_m.value_or(file.keys.resolution_m);
-    ParsedMap parsed = parse_map_image(bytes, display_name(file.image_path), file.keys);
+    ParsedMap parsed =
+        parse_map_image(bytes, file.has_yaml ? display_name(file.image_path) : name, file.keys);
     file.map = std::move(parsed.map);
     for (std::string& warning : parsed.warnings) {
         file.warnings.push_back(std::move(warning.insert(0, name + ": ")));

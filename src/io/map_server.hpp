@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/file.hpp"
 #include "io/map_yaml.hpp"
 #include "quadcut/map/grid_map.hpp"
 
@@ -32,7 +33,7 @@ struct MapFile {
     std::uint64_t content_hash = 0;  ///< of the YAML's bytes, then the image's
 };
 
-/// Reads a map_server YAML with its image, or a bare image (PNG or PGM by content), which is taken
+/// Reads a map_server YAML with its image, or a bare image (see parse_image), which is taken
 /// as trinary, at 0.05 m a pixel when options do not say, with its lower left corner at (0, 0).
 ///
 /// States are map_server's. With v = the mean of the colours / the largest value, and
@@ -46,6 +47,9 @@ struct MapFile {
 /// Throws InputError that names the file and the place when anything cannot be read.
 [[nodiscard]] MapFile read_map(const std::filesystem::path& path,
                                const MapReadOptions& options = {});
+
+/// The same of a file that was read already.
+[[nodiscard]] MapFile parse_map(InputFile input, const MapReadOptions& options = {});
 
 /// A map and what should be said of it, without the name of the file.
 struct ParsedMap {

@@ -5,6 +5,7 @@
 
 #include "io/authorship.hpp"
 #include "io/image.hpp"
+#include "io/image_checks.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -24,19 +25,12 @@ public:
 
     [[nodiscard]] std::size_t position() const { return position_; }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(name_ + ": byte " + std::to_string(position_) + ": " + what);
+    [[noreturn]] void fail(const std::string& what) const { throw InputError(place() + what); }
+    [[nodiscard]] std::string place() const {
+        return name_ + ": byte " + std::to_string(position_) + ": ";
     }
 
-    void skip_magic() { position_ = 2; }
-
-    /// The single white space between the header and the samples of a P5.
-    void skip_one_space() {
-        if (position_ >= bytes_.size() || !is_space(bytes_[position_])) {
-            fail("expected one white space before the pixels of the PGM");
-        }
-        ++position_;
-    }
+    void move_to(std::size_t position) { position_ = position; }
 
     std::int64_t read_number(const char* what) {
         skip_blanks();
@@ -54,7 +48,6 @@ public:
         return value;
     }
 
-private:
     void skip_blanks() {
         while (position_ < bytes_.size()) {
             if (bytes_[position_] == '#') {
@@ -67,24 +60,20 @@ private:
         }
     }
 
+private:
     std::string_view bytes_;
     const std::string& name_;
     std::size_t position_ = 0;
 };
 
 ImageHeader parse_header(PgmCursor& cursor) {
-    cursor.skip_magic();
+    cursor.move_to(2);
     const std::int64_t width = cursor.read_number("the width of the PGM");
     const std::int64_t height = cursor.read_number("the height of the PGM");
     const std::int64_t max_value = cursor.read_number("the largest grey value of the PGM");
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width == 0 || height == 0) {
-        cursor.fail("the image has " + size + " pixels, expected at least one");
-    }
-    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMaxImagePixels) {
-        cursor.fail("the image has " + size + " pixels, more than the " +
-                    std::to_string(kMaxImagePixels) + " that are read at most");
-    }
+    const PromisedImage promised{"PGM", static_cast<std::uint64_t>(width),
+                                 static_cast<std::uint64_t>(height), 8};
+    check_size(promised, cursor.place());
     if (max_value < 1 || max_value > kMaxSample) {
         cursor.fail("the largest grey value is " + std::to_string(max_value) +
                     ", expected 1 to 65535");
@@ -125,15 +114,60 @@ void parse_text_rows(PgmCursor& cursor, std::size_t num_bytes, const ImageHeader
         }
         sink(header, y, row);
     }
+    cursor.skip_blanks();
+}
+
+/// Where the pixels may begin when the largest value ends at `end`: by the standard after one white
+/// space, but there are files with a line end of two bytes, or with lines of comment.
+std::vector<std::size_t> possible_starts(std::string_view bytes, std::size_t end) {
+    constexpr std::size_t kMaxStarts = 16;
+    std::vector<std::size_t> starts;
+    const std::string_view rest = bytes.substr(std::min(end, bytes.size()));
+    if (!rest.empty() && is_space(rest[0])) starts.push_back(end + 1);
+    if (rest.starts_with("\r\n") || rest.starts_with(" \n")) starts.push_back(end + 2);
+    std::size_t next = starts.empty() ? end : starts.back();
+    while (next < bytes.size() && bytes[next] == '#' && starts.size() < kMaxStarts) {
+        const std::size_t line_end = bytes.find('\n', next);
+        if (line_end == std::string_view::npos) break;
+        next = line_end + 1;
+        starts.push_back(next);
+    }
+    return starts;
+}
+
+/// Whether bytes that may be pixels read like a comment, as no row of a map does.
+bool is_comment(std::string_view bytes) {
+    const auto is_text = [](char c) { return c >= ' ' || is_space(c); };
+    return bytes.find('#') != std::string_view::npos &&
+           std::all_of(bytes.begin(), bytes.end(), is_text);
+}
+
+/// Where the `num_bytes` of the pixels begin. What then ends where the file ends is right; a file
+/// that is longer or shorter is judged by what stands before.
+std::size_t find_raster(const PgmCursor& cursor, std::string_view bytes, std::size_t num_bytes) {
+    const std::size_t end = cursor.position();
+    const std::vector<std::size_t> starts = possible_starts(bytes, end);
+    if (starts.empty()) cursor.fail("expected one white space before the pixels of the PGM");
+    for (const std::size_t start : starts) {
+        if (bytes.size() - start == num_bytes) return start;
+    }
+    const bool has_wide_ends = bytes.substr(0, end).find("\r\n") != std::string_view::npos;
+    std::size_t likely = starts.front();
+    for (const std::size_t start : starts) {
+        const std::string_view before = bytes.substr(end, start - end);
+        if (is_comment(before) || (has_wide_ends && before == "\r\n")) likely = start;
+    }
+    return likely;
 }
 
 void parse_binary_rows(PgmCursor& cursor, std::string_view bytes, const ImageHeader& header,
                        const ImageRowSink& sink) {
-    cursor.skip_one_space();
     const std::size_t sample_bytes = header.max_value > kMaxByte ? 2 : 1;
-    const std::size_t row_bytes = header.row_samples() * sample_bytes;
-    check_length(cursor, row_bytes * static_cast<std::size_t>(header.height),
-                 bytes.size() - cursor.position(), " bytes of pixels after the PGM's header");
+    const std::size_t num_bytes =
+        header.row_samples() * static_cast<std::size_t>(header.height) * sample_bytes;
+    cursor.move_to(find_raster(cursor, bytes, num_bytes));
+    check_length(cursor, num_bytes, bytes.size() - cursor.position(),
+                 " bytes of pixels after the PGM's header");
     std::vector<std::uint16_t> row(header.row_samples());
     const char* next = bytes.data() + cursor.position();
     for (std::int32_t y = 0; y < header.height; ++y) {
@@ -145,12 +179,13 @@ void parse_binary_rows(PgmCursor& cursor, std::string_view bytes, const ImageHea
         }
         sink(header, y, row);
     }
+    cursor.move_to(cursor.position() + num_bytes);
 }
 
 }  // namespace
 
-ImageHeader parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
-    if (!is_pgm(bytes)) throw InputError(name + ": expected a PGM (P2, P5)");
+ParsedImage parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
+    if (bytes.size() < 2) throw InputError(name + ": expected a PGM (P2, P5)");
     PgmCursor cursor(bytes, name);
     const ImageHeader header = parse_header(cursor);
     if (bytes[1] == '2') {
@@ -158,7 +193,7 @@ ImageHeader parse_pgm(std::string_view bytes, const std::string& name, const Ima
     } else {
         parse_binary_rows(cursor, bytes, header, sink);
     }
-    return header;
+    return {header, warnings_of_surplus(bytes.size() - cursor.position())};
 }
 
 std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source) {

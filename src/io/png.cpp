@@ -12,6 +12,7 @@
 #include <png.h>
 
 #include "io/image.hpp"
+#include "io/image_checks.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -67,26 +68,15 @@ bool attempt(png_structp png, const Call& call) {
                      ": damaged PNG: " + decoder.message.data());
 }
 
-/// A compressed byte of deflate stands for at most 1032 bytes: a header that promises more pixels
-/// than the file can hold is refused before memory is taken for them.
-void check_size(const Decoder& decoder, const std::string& name) {
-    const std::uint64_t width = png_get_image_width(decoder.png, decoder.info);
-    const std::uint64_t height = png_get_image_height(decoder.png, decoder.info);
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width * height > kMaxImagePixels) {
-        throw InputError(name + ": the image has " + size + " pixels, more than the " +
-                         std::to_string(kMaxImagePixels) + " that are read at most");
-    }
+void check_header(const Decoder& decoder, const std::string& name) {
     constexpr std::uint64_t kMaxDeflateRatio = 1032;
-    constexpr std::uint64_t kBitsPerByte = 8;
-    const std::uint64_t pixel_bits =
+    const PromisedImage promised{
+        "PNG", png_get_image_width(decoder.png, decoder.info),
+        png_get_image_height(decoder.png, decoder.info),
         static_cast<std::uint64_t>(png_get_bit_depth(decoder.png, decoder.info)) *
-        png_get_channels(decoder.png, decoder.info);
-    const std::uint64_t needed = width * height * pixel_bits / kBitsPerByte;
-    if (needed > kMaxDeflateRatio * decoder.size) {
-        throw InputError(name + ": the PNG's header promises " + size + " pixels, more than " +
-                         std::to_string(decoder.size) + " bytes can hold");
-    }
+            png_get_channels(decoder.png, decoder.info)};
+    check_size(promised, name + ": ");
+    check_fits(promised, name, decoder.size, kMaxDeflateRatio);
 }
 
 /// Every colour type and depth becomes 1 to 4 channels of 8 bits, or of 16 in native order.
@@ -154,12 +144,12 @@ void read_rows(Decoder& decoder, const ImageHeader& header, int num_passes, cons
 
 }  // namespace
 
-ImageHeader parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
+ParsedImage parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
     Decoder decoder;
     decoder.bytes = bytes.data();
     decoder.size = bytes.size();
     open(decoder, name);
-    check_size(decoder, name);
+    check_header(decoder, name);
 
     int num_passes = 1;
     Decoder* const state = &decoder;
@@ -174,7 +164,7 @@ ImageHeader parse_png(std::string_view bytes, const std::string& name, const Ima
 
     const bool finished = attempt(decoder.png, [state] { png_read_end(state->png, nullptr); });
     if (!finished) fail(decoder, name);
-    return header;
+    return {header, warnings_of_surplus(decoder.size - decoder.position)};
 }
 
 }  // namespace quadcut::io

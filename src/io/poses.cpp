@@ -9,6 +9,7 @@
 
 #include "io/fields.hpp"
 #include "io/file.hpp"
+#include "io/file_kind.hpp"
 #include "io/line_reader.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -96,7 +97,13 @@ std::vector<TimedPose> parse_poses(std::string_view bytes, const std::string& na
 }
 
 std::vector<TimedPose> read_poses(const std::filesystem::path& path) {
-    return parse_poses(read_file(path), display_name(path));
+    const InputFile file = read_input(path, [](const InputFile& beginning) {
+        // By content only: whatever its name, a file may hold poses.
+        const FileNature nature = find_file_nature(beginning.bytes, "");
+        if (nature.what.empty() || nature.kind == FileKind::poses) return;
+        throw InputError(describe_refusal(beginning.bytes, beginning.name, "poses (TUM or g2o)"));
+    });
+    return parse_poses(file.bytes, file.name);
 }
 
 }  // namespace quadcut::io

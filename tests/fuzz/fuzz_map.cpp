@@ -8,6 +8,7 @@
 
 #include <zlib.h>
 
+#include "io/image.hpp"
 #include "io/map_server.hpp"
 #include "io/map_yaml.hpp"
 #include "quadcut/base/error.hpp"
@@ -19,7 +20,7 @@ namespace {
 void read_map_bytes(std::string_view bytes) {
     namespace io = quadcut::io;
     const std::size_t border = bytes.find('\0');
-    const bool is_image = bytes.starts_with("P") || bytes.starts_with("\x89");
+    const bool is_image = io::is_image(bytes);
     const io::MapKeys keys =
         is_image ? io::bare_image_keys() : io::parse_map_yaml(bytes.substr(0, border), "fuzz.yaml");
     if (!is_image && border == std::string_view::npos) return;

@@ -30,6 +30,40 @@ def png(width, height, depth, color, rows, extra=b"", interlace=0):
             + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
 
 
+def bmp(width, height, bits, pixels, palette=b""):
+    offset = 54 + len(palette)
+    return (b"BM" + struct.pack("<IIIIiiHH", offset + len(pixels), 0, offset, 40, width, height,
+                                1, bits) + bytes(24) + palette + pixels)
+
+
+def jpeg():
+    """Eight by eight grey pixels: one block, whose codes have one bit."""
+    table = b"\1" + bytes(16)
+    return (b"\xff\xd8\xff\xdb\0\x43\0" + b"\1" * 64 + b"\xff\xc0\0\x0b\x08\0\x08\0\x08\1\1\x11\0"
+            + b"\xff\xc4\0\x14\0" + table + b"\xff\xc4\0\x14\x10" + table
+            + b"\xff\xda\0\x08\1\1\0\0\x3f\0\x3f\xff\xd9")
+
+
+def gif():
+    """Two by two pixels of four colours; the codes of three bits are cleared before each pixel."""
+    colors = bytes([0, 0, 0, 10, 11, 12, 205, 205, 205, 254, 254, 254])
+    codes = 0
+    for i, code in enumerate([4, 0, 4, 1, 4, 2, 4, 3, 5]):
+        codes |= code << (3 * i)
+    return (b"GIF89a\2\0\2\0\x81\0\0" + colors + b"\x21\xfe\2hi\0\x2c\0\0\0\0\2\0\2\0\0\2\4"
+            + struct.pack("<I", codes) + b"\0;")
+
+
+def tiff(width, height, bits, photometric, pixels, compression=1, more=()):
+    entries = sorted([(256, 4, 1, width), (257, 4, 1, height), (258, 3, 1, bits),
+                      (259, 3, 1, compression), (262, 3, 1, photometric), (273, 4, 1, 8),
+                      (277, 3, 1, 1), (278, 4, 1, height), (279, 4, 1, len(pixels)), *more])
+    padded = pixels + bytes(len(pixels) % 2)
+    folder = struct.pack("<H", len(entries)) + b"".join(
+        struct.pack("<HHII", *entry) for entry in entries)
+    return b"II*\0" + struct.pack("<I", 8 + len(padded)) + padded + folder + bytes(4)
+
+
 def yaml(image="a.png", more=""):
     return (f"image: {image}\nresolution: 0.05\norigin: [-1.5, 2e0, 0.1]\nnegate: 0\n"
             f"occupied_thresh: 0.65\nfree_thresh: 0.196\n{more}")
@@ -52,6 +86,20 @@ def write_maps():
     write("map", "text.pgm", "P2 # a comment\n3 2\n# another\n15\n0 7 15\n15 7 0\n")
     write("map", "bytes.pgm", b"P5\n# CREATOR\n4 2 255\n\x00\xcd\xfe\xff\x00\xcd\xfe\xff")
     write("map", "words.pgm", b"P5 2 1 65535\n\x00\x00\xff\xff")
+    write("map", "comment.pgm", b"P5\r\n2 2\r\n255\r\n# saved\n\x00\xcd\xfe\xff")
+    write("map", "bytes.pgm.gz", gzip.compress(b"P5 2 1 255\n\x00\xfe", mtime=0))
+    write("map", "colors.bmp", bmp(1, -2, 24, bytes(8)))
+    write("map", "bits.bmp", bmp(3, 1, 1, b"\x40\0\0\0", bytes([0, 0, 0, 0, 254, 254, 254, 0])))
+    write("map", "bytes.bmp", bmp(2, 1, 8, b"\1\0\0\0", bytes([0, 0, 0, 0, 254, 254, 254, 0])))
+    write("map", "grey.jpg", jpeg())
+    write("map", "colors.gif", gif())
+    write("map", "bytes.tif", tiff(2, 2, 8, 1, b"\x00\xcd\xfe\xff"))
+    write("map", "bits.tif", tiff(9, 2, 1, 0, b"\xa5\x80\x5a\x00"))
+    write("map", "words.tif", tiff(1, 1, 16, 1, b"\xff\xff"))
+    write("map", "deflate.tif", tiff(4, 4, 8, 1, zlib.compress(bytes(16)), 8))
+    write("map", "packbits.tif", tiff(4, 1, 8, 1, b"\xfd\xfe", 32773))
+    write("map", "tiles.tif", tiff(4, 4, 8, 1, bytes(256), more=[(322, 3, 1, 16), (323, 3, 1, 16),
+                                                                 (324, 4, 1, 8), (325, 4, 1, 256)]))
     write("map", "map.yaml", yaml())
     write("map", "flow.yaml", '{image: "a", resolution: 5.0e-2, origin: [0, 0, 0], negate: no,'
                                    " occupied_thresh: 1, free_thresh: 0, mode: raw}")

@@ -16,9 +16,10 @@ using test::ScratchFolder;
 
 Image parse(std::string_view bytes) {
     Image image;
-    image.header = parse_image(bytes, "x.pgm", [&](const ImageHeader&, std::int32_t, auto row) {
+    const auto keep_row = [&](const ImageHeader&, std::int32_t, auto row) {
         image.samples.insert(image.samples.end(), row.begin(), row.end());
-    });
+    };
+    image.header = parse_image(bytes, "x.pgm", keep_row).header;
     return image;
 }
 
@@ -114,12 +115,14 @@ TEST(Pgm, WritesWhatItReads) {
     }
 }
 
-TEST(Image, RefusesOtherFormats) {
-    EXPECT_EQ(pgm_error(""), "x.pgm: the file is empty, expected a PNG or a PGM (P2, P5)");
-    EXPECT_EQ(pgm_error("\xff\xd8\xff\xe0 JPEG"),
-              "x.pgm: not an image that is read, expected a PNG or a PGM (P2, P5)");
-    EXPECT_EQ(pgm_error("P6 1 1 255\nabc"),
-              "x.pgm: not an image that is read, expected a PNG or a PGM (P2, P5)");
+TEST(Image, RefusesOtherFormatsAndSaysWhatTheyAre) {
+    const std::string expected = "expected an image (PNG, PGM, TIFF, BMP, JPEG, GIF)";
+    EXPECT_EQ(pgm_error(""), "x.pgm: the file is empty, " + expected);
+    EXPECT_EQ(pgm_error("P6 1 1 255\nabc"), "x.pgm: is a PPM image, " + expected +
+                                                "; save it as a PNG (any picture program does)");
+    EXPECT_EQ(pgm_error("#ROSBAG V2.0\n").find("x.pgm: is a ROS 1 bag, " + expected), 0U);
+    EXPECT_EQ(pgm_error("FLASER 1 1.0 0 0 0 0 0 0 1 host 1\n").find("x.pgm: is a laser log, "), 0U);
+    EXPECT_EQ(pgm_error("\x01\x02\x03"), "x.pgm: is of no kind that is known, " + expected);
 }
 
 TEST(Image, WritesAndReadsFiles) {

@@ -5,28 +5,15 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
+#include "tests/unit/io/gzip.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
 namespace {
 
 using test::error_of;
-
-std::string gzip(std::string_view bytes) {
-    z_stream stream{};
-    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-    std::string packed(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    deflate(&stream, Z_FINISH);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    return packed;
-}
+using test::gzip;
 
 std::vector<std::string> lines_of(std::string_view bytes, LineLimits limits = {}) {
     LineReader reader(bytes, "x.log", limits);
@@ -47,6 +34,18 @@ TEST(LineReader, SplitsAtBothKindsOfLineEnd) {
     EXPECT_EQ(lines_of("\n"), Lines{""});
     EXPECT_EQ(lines_of("a\r\n\nb\n"), (Lines{"a", "", "b"}));
     EXPECT_EQ(lines_of("a\nb"), (Lines{"a", "b (no end)"}));
+}
+
+TEST(LineReader, LeavesOutAByteOrderMark) {
+    EXPECT_EQ(lines_of("\xEF\xBB\xBF"
+                       "a\r\n\xEF\xBB\xBF"
+                       "b\n"),
+              (Lines{"a",
+                     "\xEF\xBB\xBF"
+                     "b"}));
+    EXPECT_EQ(lines_of(gzip("\xEF\xBB\xBF"
+                            "a\n")),
+              Lines{"a"});
 }
 
 TEST(LineReader, KeepsNulBytes) {

@@ -188,9 +188,10 @@ TEST(MapServer, ABareImageIsToldByItsContent) {
               Rows{path.string() + ": an image states no resolution, taken as 0.05 m a pixel"});
     const auto png_path = folder.write("b.yaml", png({1, 1, 1, 255}, {254}));
     EXPECT_EQ(draw(read_map(png_path).map), Rows{"."});
-    EXPECT_EQ(error_of([&] { (void)read_map(folder.write("c.pgm", "hello")); }),
-              (folder.path() / "c.pgm").string() +
-                  ": not an image that is read, expected a PNG or a PGM (P2, P5)");
+    EXPECT_EQ(
+        error_of([&] { (void)read_map(folder.write("c.pgm", "hello")); }),
+        (folder.path() / "c.pgm").string() +
+            ": is of no kind that is known, expected an image (PNG, PGM, TIFF, BMP, JPEG, GIF)");
 }
 
 TEST(MapServer, TheResolutionMayBeGiven) {

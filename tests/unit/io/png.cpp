@@ -63,10 +63,11 @@ std::string make_png(const PngForm& form, std::vector<std::vector<png_byte>> pac
 Image parse(std::string_view bytes) {
     Image image;
     std::int32_t expected_row = 0;
-    image.header = parse_image(bytes, "x.png", [&](const ImageHeader&, std::int32_t y, auto row) {
+    const auto keep_row = [&](const ImageHeader&, std::int32_t y, auto row) {
         EXPECT_EQ(y, expected_row++);
         image.samples.insert(image.samples.end(), row.begin(), row.end());
-    });
+    };
+    image.header = parse_image(bytes, "x.png", keep_row).header;
     return image;
 }
 
@@ -138,6 +139,15 @@ TEST(Png, RefusesEveryCutAndEveryFlippedBit) {
         // A damaged check sum of a chunk that is needed must not pass unseen.
         EXPECT_NE(error_of([&] { parse(flipped); }), "no error") << i;
     }
+}
+
+TEST(Png, WarnsOfSurplusBytes) {
+    const std::string bytes = make_png({.width = 1, .height = 1}, {{7}});
+    const ImageRowSink ignore = [](const ImageHeader&, std::int32_t, auto) {};
+    EXPECT_TRUE(parse_image(bytes, "x.png", ignore).warnings.empty());
+    EXPECT_EQ(parse_image(bytes + "ab", "x.png", ignore).warnings,
+              std::vector<std::string>{
+                  "the file goes on after the image for 2 bytes, which are ignored"});
 }
 
 TEST(Png, RefusesAHeaderThatTheBytesCannotHold) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/image.hpp"
+
+namespace quadcut::io {
+
+/// What a header says of an image.
+struct PromisedImage {
+    std::string_view kind;  ///< "PNG"
+    std::uint64_t width = 0;
+    std::uint64_t height = 0;
+    std::uint64_t pixel_bits = 0;
+};
+
+/// Throws InputError that begins with `place` unless there is a pixel, and `max_pixels` at most.
+void check_size(const PromisedImage& image, const std::string& place,
+                std::uint64_t max_pixels = kMaxImagePixels);
+
+/// Throws InputError when `num_bytes`, of which each stands for `max_ratio` at most, cannot hold
+/// what was promised: before memory is taken for it.
+void check_fits(const PromisedImage& image, const std::string& name, std::uint64_t num_bytes,
+                std::uint64_t max_ratio);
+
+/// What to say of bytes after an image; nothing when there are none.
+[[nodiscard]] std::vector<std::string> warnings_of_surplus(std::size_t num_bytes);
+
+}  // namespace quadcut::io
