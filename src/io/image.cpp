@@ -8,6 +8,7 @@
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
 #include "io/inflate.hpp"
+#include "io/jpeg.hpp"
 #include "io/picture.hpp"
 #include "io/tiff.hpp"
 #include "quadcut/base/error.hpp"
@@ -26,7 +27,7 @@ bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
 bool is_pgm(std::string_view bytes) { return bytes.starts_with("P2") || bytes.starts_with("P5"); }
 
 constexpr std::array kFormats{ImageFormat{is_png, parse_png}, ImageFormat{is_pgm, parse_pgm},
-                              ImageFormat{is_tiff, parse_tiff},
+                              ImageFormat{is_tiff, parse_tiff}, ImageFormat{is_jpeg, parse_jpeg},
                               ImageFormat{is_picture, parse_picture}};
 
 const ImageFormat* find_format(std::string_view bytes) {
