@@ -37,6 +37,15 @@ const ImageFormat* find_format(std::string_view bytes) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
+/// So much may be in gzip: a few bytes of it can stand for any number. What is packed again has no
+/// need to be large.
+std::uint64_t max_unpacked_bytes(std::string_view bytes, const std::string& name) {
+    constexpr std::uint64_t kMaxPackedAgain = std::uint64_t{1} << 28U;
+    const std::string beginning = unpack_beginning(bytes);
+    if (!is_pgm(beginning)) return kMaxPackedAgain;
+    return std::min(max_pgm_bytes(beginning, name), kMaxFileBytes);
+}
+
 void require_image(std::string_view bytes, const std::string& name) {
     if (is_image(bytes)) return;
     throw InputError(describe_refusal(bytes, name, "an image (PNG, PGM, TIFF, BMP, JPEG, GIF)"));
@@ -50,12 +59,10 @@ bool is_image(std::string_view bytes) {
 }
 
 ParsedImage parse_image(std::string_view bytes, const std::string& name, const ImageRowSink& sink) {
-    if (is_gzip(bytes) && is_image(bytes)) {
-        const std::string unpacked = unpack_gzip(bytes, name, kMaxFileBytes);
-        return find_format(unpacked)->parse(unpacked, name, sink);
-    }
     require_image(bytes, name);
-    return find_format(bytes)->parse(bytes, name, sink);
+    if (!is_gzip(bytes)) return find_format(bytes)->parse(bytes, name, sink);
+    const std::string unpacked = unpack_gzip(bytes, name, max_unpacked_bytes(bytes, name));
+    return find_format(unpacked)->parse(unpacked, name, sink);
 }
 
 InputFile read_image_input(const std::filesystem::path& path) {
