@@ -71,6 +71,9 @@ ParsedImage parse_image(std::string_view bytes, const std::string& name, const I
 ParsedImage parse_png(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
 ParsedImage parse_pgm(std::string_view bytes, const std::string& name, const ImageRowSink& sink);
 
+/// How long a PGM that begins so can be, comments and surplus bytes included. Errors as parse_pgm.
+[[nodiscard]] std::uint64_t max_pgm_bytes(std::string_view beginning, const std::string& name);
+
 /// Reads the bytes of an image, which may come through a pipe or standard input ("-"). Throws
 /// InputError as read_input() does, and when its first bytes are of no image.
 [[nodiscard]] InputFile read_image_input(const std::filesystem::path& path);

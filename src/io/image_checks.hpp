@@ -12,6 +12,10 @@
 
 namespace quadcut::io {
 
+/// A BMP, a JPEG or a GIF may be held as a whole while it is decoded, and has so many pixels at
+/// most.
+inline constexpr std::uint64_t kMaxPicturePixels = std::uint64_t{1} << 28U;
+
 /// What a header says of an image.
 struct PromisedImage {
     std::string_view kind;  ///< "PNG"

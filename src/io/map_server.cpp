@@ -16,6 +16,7 @@
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
 #include "io/image.hpp"
+#include "io/inflate.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -195,6 +196,7 @@ MapFile parse_map(InputFile input, const MapReadOptions& options) {
     MapFile file;
     file.content_hash = hash_bytes(bytes);
     file.has_yaml = find_file_nature(bytes, name).kind == FileKind::map_yaml;
+    if (file.has_yaml && is_gzip(bytes)) bytes = unpack_gzip(bytes, name, kMaxYamlBytes);
     file.keys = file.has_yaml ? parse_map_yaml(bytes, name) : bare_image_keys();
     file.image_path = file.has_yaml ? find_image(file.keys.image, input, options) : input.path;
     if (file.has_yaml) {

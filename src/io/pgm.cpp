@@ -196,6 +196,15 @@ ParsedImage parse_pgm(std::string_view bytes, const std::string& name, const Ima
     return {header, warnings_of_surplus(bytes.size() - cursor.position())};
 }
 
+std::uint64_t max_pgm_bytes(std::string_view beginning, const std::string& name) {
+    constexpr std::uint64_t kBytesPerPixel = 8;  // Five digits, and a line end of two bytes.
+    constexpr std::uint64_t kMore = std::uint64_t{1} << 20U;
+    PgmCursor cursor(beginning, name);
+    const ImageHeader header = parse_header(cursor);
+    return kMore +
+           kBytesPerPixel * header.row_samples() * static_cast<std::uint64_t>(header.height);
+}
+
 std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source) {
     if (header.width <= 0 || header.height <= 0 || header.channels != 1 || header.max_value < 1 ||
         header.max_value > kMaxSample) {

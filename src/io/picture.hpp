@@ -9,11 +9,11 @@
 
 namespace quadcut::io {
 
-/// Whether the bytes begin like a BMP, a JPEG or a GIF.
+/// Whether the bytes begin like a BMP or a GIF.
 [[nodiscard]] bool is_picture(std::string_view bytes);
 
-/// Decodes them as parse_image() says: 8 bits, a BMP and a GIF as colours; of a GIF the first
-/// picture. The whole image is held, so that it may have kMaxPicturePixels only.
+/// Decodes them as parse_image() says: colours of 8 bits, of a GIF the first picture. The whole
+/// image is held.
 ParsedImage parse_picture(std::string_view bytes, const std::string& name,
                           const ImageRowSink& sink);
 

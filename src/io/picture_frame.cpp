@@ -41,10 +41,6 @@ public:
         for (int i = 0; i < num_bytes; ++i) value |= static_cast<std::uint32_t>(byte()) << (8 * i);
         return value;
     }
-    std::uint32_t big_word() {
-        const std::uint32_t high = byte();
-        return high << 8U | byte();
-    }
 
 private:
     std::string_view bytes_;
@@ -110,40 +106,6 @@ void check_palette(const BmpForm& form, std::string_view pixels, const std::stri
     }
 }
 
-constexpr unsigned kCodes = 0xC4;
-
-/// Marks without anything behind them: restarts, the beginning, and a byte of 0xFF that is none.
-bool stands_alone(unsigned mark) { return mark <= 0x01 || (mark >= 0xD0 && mark <= 0xD8); }
-
-/// Marks that say how large the image is.
-bool is_frame(unsigned mark) {
-    return mark >= 0xC0 && mark <= 0xCF && mark != kCodes && mark != 0xC8 && mark != 0xCC;
-}
-
-/// A byte holds eight blocks of 64 pixels at most.
-void check_jpeg_size(ByteCursor& cursor, const std::string& name, std::size_t num_bytes) {
-    constexpr std::uint64_t kMaxRatio = 1024;
-    cursor.skip(1);
-    const std::uint64_t height = cursor.big_word();
-    const std::uint64_t width = cursor.big_word();
-    check_promise({"JPEG", width, height, 8}, name, num_bytes, kMaxRatio);
-}
-
-/// The decoder has room for the 256 codes that there can be, and counts none.
-void check_codes(ByteCursor& cursor, std::size_t end, const std::string& name) {
-    constexpr unsigned kMaxCodes = 256;
-    while (cursor.position() < end) {
-        cursor.skip(1);
-        unsigned num_codes = 0;
-        for (int length = 1; length <= 16; ++length) num_codes += cursor.byte();
-        if (num_codes > kMaxCodes) {
-            throw InputError(name + ": byte " + std::to_string(cursor.position()) +
-                             ": damaged JPEG: more codes than there are");
-        }
-        cursor.skip(num_codes);
-    }
-}
-
 }  // namespace
 
 bool is_bmp(std::string_view bytes) {
@@ -156,8 +118,6 @@ bool is_bmp(std::string_view bytes) {
     const std::uint32_t header_bytes = cursor.little(4);
     return header_bytes >= kOldBmpHeader && header_bytes <= kLongestHeader;
 }
-
-bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xFF\xD8\xFF"); }
 
 bool is_gif(std::string_view bytes) {
     return bytes.starts_with("GIF87a") || bytes.starts_with("GIF89a");
@@ -172,26 +132,6 @@ std::size_t end_of_bmp(std::string_view bytes, const std::string& name) {
     const auto end = static_cast<std::size_t>(form.offset + num_bytes);
     check_palette(form, bytes.substr(form.offset, num_bytes), name);
     return end;
-}
-
-std::size_t end_of_jpeg(std::string_view bytes, const std::string& name) {
-    constexpr unsigned kMark = 0xFF;
-    constexpr unsigned kEnd = 0xD9;
-    ByteCursor cursor(bytes, name, "JPEG");
-    cursor.skip(2);
-    while (true) {
-        // Coded pixels lie between the marks, and now and then something else does.
-        while (cursor.byte() != kMark) continue;
-        unsigned mark = cursor.byte();
-        while (mark == kMark) mark = cursor.byte();
-        if (mark == kEnd) return cursor.position();
-        if (stands_alone(mark)) continue;
-        const std::uint32_t length = std::max(cursor.big_word(), 2U);
-        const std::size_t end = cursor.position() + length - 2;
-        if (mark == kCodes) check_codes(cursor, end, name);
-        if (is_frame(mark)) check_jpeg_size(cursor, name, bytes.size());
-        cursor.move_to(end);
-    }
 }
 
 std::size_t end_of_gif(std::string_view bytes, const std::string& name) {

@@ -154,6 +154,9 @@ TEST(Inputs, AnImageMayBePacked) {
     EXPECT_EQ(results_in(folder / "a"), results_in(folder / "b"));
     ASSERT_EQ(run_line(folder, "\"$Q\" segment map.pgm.gz -o c").exit_code, 0);
     EXPECT_EQ(files_below(folder / "a")["rooms.png"], files_below(folder / "c")["rooms.png"]);
+    folder.write("map.yaml.gz", io::test::gzip(yaml_for("map.pgm")));
+    ASSERT_EQ(run_line(folder, "\"$Q\" segment map.yaml.gz -o e").exit_code, 0);
+    EXPECT_EQ(results_in(folder / "a"), results_in(folder / "e"));
     const std::string cut = io::test::gzip(office_pgm()).substr(0, 60);
     folder.write("cut.pgm.gz", cut);
     const Outcome outcome = run_line(folder, "\"$Q\" segment cut.pgm.gz -o d");

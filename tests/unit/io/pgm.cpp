@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/image.hpp"
+#include "tests/unit/io/gzip.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 // Where the pixels of a P5 begin, which the standard says and programs do otherwise.
@@ -87,6 +88,16 @@ TEST(PgmRaster, AShortFileIsRefusedWhateverStandsBefore) {
             EXPECT_EQ(test::error_of([&] { parse(cut); }).find("x.pgm: byte "), 0U) << cut;
         }
     }
+}
+
+TEST(Pgm, GzipMayNotStandForMoreThanTheHeaderSays) {
+    const std::string bomb = test::gzip(kHeaders[0] + std::string(std::size_t{1} << 25U, '\0'));
+    EXPECT_NE(test::error_of([&] { parse(bomb); }).find("x.pgm: unpacks to more than the 1048"),
+              std::string::npos);
+    EXPECT_EQ(parse(test::gzip(kHeaders[0] + kWalls + "ab")).num_warnings, 1U);
+    EXPECT_EQ(test::error_of([] { parse(test::gzip("P5 70000 70000 255\n")); }),
+              "x.pgm: byte 18: the image has 70000 x 70000 pixels, more than the 1073741824 that "
+              "are read at most");
 }
 
 }  // namespace

@@ -97,48 +97,6 @@ TEST(Picture, RefusesABmpThatIsDamaged) {
               "x.img: the image has 0 x 1 pixels, expected at least one");
 }
 
-/// A grey JPEG of 8 x 8 pixels of 128 + `level` / 8: one block, whose codes are one bit long.
-std::string make_jpeg(std::uint16_t side = 8, char num_codes = 1) {
-    const auto big = [](unsigned value) {
-        return std::string{static_cast<char>(value >> 8U), static_cast<char>(value)};
-    };
-    // One code of one bit: 0.
-    const std::string table = num_codes + std::string(15, '\0') +
-                              std::string(static_cast<unsigned char>(num_codes), '\0');
-    const unsigned length = static_cast<unsigned>(3 + table.size());
-    return "\xFF\xD8\xFF\xDB"s + big(67) + "\0"s + std::string(64, '\1') + "\xFF\xC0"s + big(11) +
-           "\x08"s + big(side) + big(side) + "\x01\x01\x11\0"s + "\xFF\xC4"s + big(length) +
-           "\x00"s + table + "\xFF\xC4"s + big(length) + "\x10"s + table + "\xFF\xDA"s + big(8) +
-           "\x01\x01\0\0\x3F\0"s + "\x3F\xFF\xD9"s;
-}
-
-TEST(Picture, ReadsJpeg) {
-    const Parsed grey = parse(make_jpeg());
-    EXPECT_EQ(grey.header, (ImageHeader{8, 8, 1, 255}));
-    EXPECT_EQ(grey.samples, Samples(64, 128));
-    EXPECT_TRUE(grey.warnings.empty());
-    EXPECT_EQ(parse(make_jpeg() + "tail").warnings.size(), 1U);
-}
-
-TEST(Picture, RefusesAJpegThatIsDamaged) {
-    const std::string whole = make_jpeg();
-    for (std::size_t length = 3; length < whole.size(); ++length) {
-        EXPECT_NE(error_of([&] { parse(whole.substr(0, length)); }), "no error") << length;
-    }
-    EXPECT_EQ(error_of([&] { parse(make_jpeg(60'000)); }),
-              "x.img: the image has 60000 x 60000 pixels, more than the 268435456 that are read at "
-              "most of a JPEG");
-    EXPECT_EQ(error_of([&] {
-                  parse(make_jpeg(10'000));
-              }).find("x.img: the JPEG's header promises 10000 x 10000 pixels, more than "),
-              0U);
-    // 255 codes of one bit, which its decoder would have no room for with those of two.
-    std::string codes = make_jpeg(8, '\xFF');
-    codes[codes.find("\xFF\xC4") + 6] = '\2';
-    EXPECT_NE(error_of([&] { parse(codes); }).find("damaged JPEG: more codes than there are"),
-              std::string::npos);
-}
-
 /// A GIF whose codes are never longer than three bits: the table is cleared after each pixel.
 std::string make_gif(std::uint16_t width, std::uint16_t height, const std::string& pixels) {
     std::string codes;

@@ -182,13 +182,13 @@ TEST(Tiff, RefusesEveryCut) {
 }
 
 /// A TIFF of one strip with nothing in it.
-std::string empty_tiff(std::uint32_t side, std::uint16_t compression) {
+std::string empty_tiff(std::uint32_t side, std::uint32_t compression) {
     const auto little = [](std::uint32_t value, int num_bytes) {
         std::string bytes;
         for (int i = 0; i < num_bytes; ++i) bytes += static_cast<char>(value >> (8 * i));
         return bytes;
     };
-    const std::vector<std::pair<std::uint16_t, std::uint32_t>> entries = {
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>> entries = {
         {TIFFTAG_IMAGEWIDTH, side},         {TIFFTAG_IMAGELENGTH, side}, {TIFFTAG_BITSPERSAMPLE, 8},
         {TIFFTAG_COMPRESSION, compression}, {TIFFTAG_PHOTOMETRIC, 1},    {TIFFTAG_STRIPOFFSETS, 8},
         {TIFFTAG_ROWSPERSTRIP, side},       {TIFFTAG_STRIPBYTECOUNTS, 1}};
