@@ -24,8 +24,9 @@ TEST(CommandLine, Version) {
 TEST(CommandLine, HelpListsWhatThereIs) {
     const Outcome outcome = run_quadcut({"help"});
     EXPECT_EQ(outcome.exit_code, 0);
-    for (const std::string name : {"segment", "map", "follow", "locate", "edit", "score",
-                                   "simulate", "demo", "reproduce", "options", "version"}) {
+    for (const std::string name :
+         {"segment", "map", "follow", "locate", "edit", "score", "rooms", "export", "simulate",
+          "demo", "reproduce", "options", "version"}) {
         EXPECT_NE(outcome.out.find("\n  " + name + " "), std::string::npos) << name;
         const Outcome own = run_quadcut({name, "--help"});
         EXPECT_EQ(own.exit_code, 0);
@@ -33,7 +34,7 @@ TEST(CommandLine, HelpListsWhatThereIs) {
         EXPECT_EQ(run_quadcut({"help", name}).out, own.out);
         EXPECT_EQ(run_quadcut({name, "-h"}).out, own.out);
     }
-    EXPECT_EQ(outcome.out.find("serve"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("\n  serve "), std::string::npos);
 }
 
 TEST(CommandLine, OptionsDocumentationIsUpToDate) {
