@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ constexpr int kDone = 0;
 constexpr int kBadInput = 2;
 constexpr int kInternalError = 3;
 
+bool is_help(std::string_view word) { return word == "help" || word == "-h" || word == kHelpFlag; }
+
 void run(std::span<const std::string> words) {
     if (words.empty()) {
         throw InputError(
@@ -33,8 +36,8 @@ void run(std::span<const std::string> words) {
     }
     std::vector<std::string> line(words.begin(), words.end());
     if (line[0] == "--version") line[0] = "version";
-    if (line[0] == "help" || line[0] == "-h" || line[0] == kHelpFlag) {
-        if (line.size() == 1) {
+    if (is_help(line[0])) {
+        if (line.size() == 1 || is_help(line[1])) {
             std::cout << help_text();
             return;
         }

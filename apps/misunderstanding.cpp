@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "apps/command.hpp"
 #include "apps/command_help.hpp"
 #include "apps/command_line.hpp"
 #include "io/nearest_word.hpp"
@@ -17,7 +20,7 @@ namespace quadcut {
 namespace {
 
 /// What other programs call flags of ours.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kOtherWords{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOtherWords{
     {{"--dir", "--output"},
      {"--directory", "--output"},
      {"--folder", "--output"},
@@ -25,13 +28,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kOtherWor
      {"--outdir", "--output"},
      {"--destination", "--output"},
      {"--cell-size", "--resolution"},
+     {"--jobs", "--threads"},
+     {"--no-progress", "--quiet"},
      {"--silent", "--quiet"}}};
 
 /// What stands for a folder in a command line that is suggested.
 constexpr const char* kSomeFolder = "rooms";
 
-/// The word after a name, when it may be the value that was meant.
-std::string value_in(const std::string& next) {
+/// The value that was given, or the next word when it may be meant.
+std::string value_of(const Setting& given, const std::string& next) {
+    if (given.value && !given.value->empty()) return *given.value;
     constexpr std::string_view kNumber = "-.0123456789";
     constexpr std::string_view kWord = "abcdefghijklmnopqrstuvwxyz_";
     const bool is_number = next.find_first_not_of(kNumber) == std::string::npos;
@@ -83,6 +89,21 @@ std::vector<std::string> meant_by(const CommandForm& form, const std::string& na
     return meant;
 }
 
+/// Whether --set takes what here looks like a flag of its own.
+bool is_setting(const CommandForm& form, const std::string& flag) {
+    std::string name = flag.substr(std::min(flag.find_first_not_of('-'), flag.size()));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return std::find(form.settings.begin(), form.settings.end(), name) != form.settings.end();
+}
+
+/// The first command with such a flag; empty if there is none.
+std::string other_command_with(const std::string& flag) {
+    for (const Command& command : commands()) {
+        if (find_flag(command.form, flag) != nullptr) return command.form.name;
+    }
+    return "";
+}
+
 std::string suggestion(const std::vector<std::string>& meant, const std::string& otherwise) {
     return meant.empty() ? "; " + otherwise : ": " + io::did_you_mean(meant);
 }
@@ -104,7 +125,10 @@ std::string with_output(const CommandForm& form, std::span<const std::string> wo
     const auto meant =
         setting.value ? meant_by(form, setting.name, *setting.value) : std::vector<std::string>();
     if (!meant.empty()) throw InputError("unexpected '" + first + "': " + io::did_you_mean(meant));
-    const bool takes_folder = find_flag(form, "-o") != nullptr && !arguments.has("--output");
+    std::error_code error;
+    const bool is_file = std::filesystem::is_regular_file(first, error);
+    const bool takes_folder =
+        !is_file && find_flag(form, "-o") != nullptr && !arguments.has("--output");
     if (takes_folder && arguments.operands.size() == most + 1) {
         std::vector<std::string> others(words.begin(), words.end());
         others.erase(std::find(others.rbegin(), others.rend(), first).base() - 1);
@@ -133,7 +157,12 @@ InputError unknown_flag(const CommandForm& form, const Setting& given, const std
     if (std::find(planned.begin(), planned.end(), given.name) != planned.end()) {
         return InputError("option " + given.name + ": not in this version of quadcut");
     }
-    const auto meant = meant_by(form, given.name, given.value.value_or(value_in(next)));
+    const std::string owner = other_command_with(given.name);
+    if (!owner.empty() && !is_setting(form, given.name)) {
+        return InputError("unknown option '" + given.name + "': " + owner + " has it, not " +
+                          form.name);
+    }
+    const auto meant = meant_by(form, given.name, value_of(given, next));
     return InputError("unknown option '" + given.name + "'" +
                       suggestion(meant, "'quadcut " + form.name + " --help' lists the options"));
 }
@@ -143,7 +172,7 @@ void check_setting(const CommandForm& form, const std::string& value, const std:
     const auto& known = form.settings;
     const bool is_known = std::find(known.begin(), known.end(), setting.name) != known.end();
     if (is_known && setting.value) return;
-    const std::string shown = setting.value.value_or(value_in(next));
+    const std::string shown = value_of(setting, next);
     const auto meant = is_known
                            ? std::vector{std::string(kSetFlag) + " " + setting.name + "=" + shown}
                            : meant_by(form, setting.name, shown);

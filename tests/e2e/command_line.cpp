@@ -35,6 +35,8 @@ TEST(CommandLine, HelpListsWhatThereIs) {
         EXPECT_EQ(run_quadcut({name, "-h"}).out, own.out);
     }
     EXPECT_EQ(outcome.out.find("\n  serve "), std::string::npos);
+    EXPECT_EQ(run_quadcut({"help", "help"}).out, outcome.out);
+    EXPECT_EQ(run_quadcut({"--help", "-h"}).out, outcome.out);
 }
 
 TEST(CommandLine, OptionsDocumentationIsUpToDate) {

@@ -70,6 +70,7 @@ TEST(Misunderstanding, WhatFollowsSet) {
     EXPECT_EQ(meant({"--set", "rooms.min_room", "3"}), "'--set rooms.min_room=3'?");
     EXPECT_EQ(meant({"--set", "door_width", "3"}), "'--set door_width=3'?");
     EXPECT_EQ(meant({"--set", "output=x"}), "'-o DIR'?");
+    EXPECT_EQ(meant({"--set", "min_room="}), "'--set rooms.min_room=X'?");
     EXPECT_EQ(meant({"--set", "bananas=3"}),
               "unknown option 'bananas'; 'quadcut options' lists them");
     EXPECT_EQ(meant({"--set", "bananas"}),
@@ -90,7 +91,17 @@ TEST(Misunderstanding, DashesOfAWordProcessorAndDashesThatAreMissing) {
     EXPECT_EQ(meant({"min_room=3"}), "'--set rooms.min_room=3'?");
 }
 
+TEST(Misunderstanding, FlagsOfOtherCommands) {
+    EXPECT_EQ(meant({"--speed", "3"}), "unknown option '--speed': follow has it, not paint");
+    CommandForm form = sample_form();
+    form.settings.emplace_back("every");
+    EXPECT_EQ(error_of({"north", "-o", "out", "--every", "3"}, form),
+              "unknown option '--every': did you mean '--set every=3'?");
+}
+
 TEST(Misunderstanding, OneAtATime) {
+    const std::string file = QUADCUT_SOURCE_DIR "/README.md";
+    EXPECT_NE(error_of({"north", file}).find("takes one WALL at a time"), std::string::npos);
     EXPECT_EQ(
         error_of({"north", "south", "-o", "out"}),
         "unexpected 'south': paint takes one WALL at a time; usage: quadcut paint WALL -o DIR "
