@@ -43,8 +43,9 @@ KnownInput read_map_or_log(const std::filesystem::path& path) {
 io::InputFile read_log(const std::filesystem::path& path) {
     return read_unless(path, kLog, [](const io::InputFile& beginning) {
         const io::FileNature nature = io::find_file_nature(beginning.bytes, beginning.name);
-        // What nobody knows may be a log all the same, whose reader says what is wrong with it.
-        if (nature.kind == FileKind::laser_log || nature.what.empty()) return;
+        // A short one may be a log all the same, whose reader says what is wrong with it.
+        const bool is_short = beginning.bytes.size() < io::kBeginningBytes;
+        if (nature.kind == FileKind::laser_log || (nature.what.empty() && is_short)) return;
         refuse(beginning, kLog);
     });
 }

@@ -118,9 +118,12 @@ TEST(Inputs, StandardInputIsNamedInMessages) {
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     }
     // An endless pipe is no reason to read for long.
-    const Outcome endless = run_line(folder, "cat /dev/zero | \"$Q\" segment - -o out");
-    EXPECT_EQ(endless.exit_code, 2);
-    EXPECT_NE(endless.err.find("standard input: is of no kind"), std::string::npos) << endless.err;
+    for (const std::string command : {"segment", "map", "follow"}) {
+        const Outcome endless = run_line(folder, "cat /dev/zero | \"$Q\" " + command + " - -o out");
+        EXPECT_EQ(endless.exit_code, 2);
+        EXPECT_NE(endless.err.find("standard input: is of no kind"), std::string::npos)
+            << endless.err;
+    }
 }
 
 TEST(Inputs, TextMayComeFromWindows) {
