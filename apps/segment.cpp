@@ -65,9 +65,7 @@ Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress
 
 Input read_map(const Arguments& arguments, StageClock& clock) {
     clock.begin("read");
-    io::MapReadOptions options;
-    options.resolution_m = resolution_of(arguments);
-    io::MapFile file = io::read_map(arguments.operands[0], options);
+    io::MapFile file = io::read_map(arguments.operands[0], map_read_options_of(arguments));
     Input input;
     input.map = std::move(file.map);
     input.keys = std::move(file.keys);
@@ -222,6 +220,8 @@ Command segment_command() {
                    "any other option ('quadcut options' lists them); may be repeated"},
                   json_flag(),
                   quiet_flag()};
+    const std::vector<Flag> greys = grey_flags();
+    form.flags.insert(form.flags.begin() + 2, greys.begin(), greys.end());
     return {form, run};
 }
 
