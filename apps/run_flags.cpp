@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/run_flags.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "io/option_text.hpp"
@@ -42,6 +43,12 @@ std::vector<Flag> grey_flags() {
             {kNegateFlag, "", "", "black is free and white is occupied"},
             {kTrustFlag, "", "",
              "read the image by its keys to the letter, also where its greys contradict them"}};
+}
+
+bool has_grey_flag(const Arguments& arguments) {
+    const std::vector<Flag> flags = grey_flags();
+    return std::any_of(flags.begin(), flags.end(),
+                       [&](const Flag& flag) { return arguments.has(flag.name); });
 }
 
 Flag poses_flag() {

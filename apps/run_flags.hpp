@@ -17,6 +17,7 @@ namespace quadcut {
 [[nodiscard]] Flag resolution_flag();
 /// How the greys of a map are read.
 [[nodiscard]] std::vector<Flag> grey_flags();
+[[nodiscard]] bool has_grey_flag(const Arguments& arguments);
 [[nodiscard]] Flag poses_flag();
 [[nodiscard]] Flag json_flag();
 [[nodiscard]] Flag quiet_flag();

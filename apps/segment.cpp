@@ -60,6 +60,10 @@ Input read_log(const Arguments& arguments, StageClock& clock, Progress& progress
     input.warnings = std::move(log.warnings);
     input.content_hash = log.content_hash;
     input.is_log = true;
+    if (has_grey_flag(arguments)) {
+        input.warnings.emplace_back(
+            "--free-thresh, --occupied-thresh, --negate and --trust-yaml play no part for a log");
+    }
     return input;
 }
 

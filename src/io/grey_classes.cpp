@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 
 namespace quadcut::io {
 namespace {
@@ -48,7 +49,7 @@ int highest_near(int center, int reach, const Height& height) {
 /// The greys around `peak` that are at least kFoot of its height.
 template <typename Height>
 std::optional<GreyRange> hump_around(int peak, const Height& height) {
-    constexpr int kMaxReach = 16;
+    constexpr int kMaxReach = 20;
     const double foot = kFoot * height(peak);
     GreyRange hump{peak, peak};
     while (hump.first > 0 && height(hump.first - 1) >= foot) --hump.first;
@@ -93,6 +94,12 @@ std::optional<GreyRange> find_customary(const GreyShares& shares) {
     double share = found ? shares.of(found->first, found->last) : 0.0;
     const double others = shares.of(0, kEnds) + shares.of(kWhite - kEnds, kWhite);
     if (share < kLeast && share + others < kAll) found = std::nullopt;
+    // A broad one without anything brighter is paper that was scanned.
+    constexpr int kNarrow = 3;
+    const int width = found ? found->last - found->first : 0;
+    if (width >= kNarrow && shares.of(found->last + width / 2, kWhite) < kLeast) {
+        found = std::nullopt;
+    }
     if (!found) share = 0.0;
     const std::optional<GreyRange> middle = find_hump(shares, kWhite / 2, 2);
     if (middle && shares.of(middle->first, middle->last) >= std::max(kLeastMiddle, share) &&
@@ -167,6 +174,14 @@ double GreyShares::of(int first, int last) const {
     return sum;
 }
 
+GreyShares GreyShares::without(int grey) const {
+    GreyShares others = *this;
+    const double all = 1.0 - at(grey);
+    for (double& share : others.shares_) share /= all;
+    others.shares_[static_cast<std::size_t>(grey)] = 0.0;
+    return others;
+}
+
 GreyBounds bounds_of(const MapKeys& keys) {
     GreyBounds bounds;
     for (int grey = 0; grey <= kWhite; ++grey) {
@@ -186,7 +201,9 @@ std::optional<GreyRange> find_hump(const GreyShares& shares, int center, int rea
     const auto smoothed = [&](int grey) { return smooth(shares, grey); };
     const int top = highest_near(center, reach + kNoise, smoothed);
     if (!(smoothed(top) > 0.0)) return std::nullopt;
-    return hump_around(top, smoothed);
+    const std::optional<GreyRange> hump = hump_around(top, smoothed);
+    const bool is_there = hump && std::abs(hump->first + hump->last - 2 * center) <= 2 * reach + 1;
+    return is_there ? hump : std::nullopt;
 }
 
 bool is_mostly_even(const GreyShares& shares, const GreyRange& greys) {
@@ -206,6 +223,23 @@ std::optional<GreyClasses> find_grey_classes(const GreyShares& shares) {
     return std::nullopt;
 }
 
+std::optional<int> find_unknown_within_floor(const GreyShares& shares) {
+    constexpr double kLeast = 0.05;
+    constexpr double kLeastBeside = 0.01;
+    constexpr int kBeside = 12;
+    for (int grey = kBeside; grey <= kWhite - kBeside; ++grey) {
+        if (shares.at(grey) < kLeast || !stands_out(shares, grey)) continue;
+        const GreyShares others = shares.without(grey);
+        const std::optional<GreyRange> border = find_two_classes(others);
+        if (border && grey >= border->first && !is_mostly_even(others, {border->first, kWhite}) &&
+            others.of(grey - kBeside, grey - 1) >= kLeastBeside &&
+            others.of(grey + 1, grey + kBeside) >= kLeastBeside) {
+            return grey;
+        }
+    }
+    return std::nullopt;
+}
+
 int border_above(const GreyShares& shares, int last_unknown) {
     const int first = last_unknown + 1;
     if (first > kWhite) return first;
@@ -213,7 +247,9 @@ int border_above(const GreyShares& shares, int last_unknown) {
     const int last = floor > 0.0 ? median(shares, first, kWhite) - 1 : kWhite;
     const GreyRange gap =
         longest_gap(shares, first, last, kFoot * floor / static_cast<double>(kWhite + 1 - first));
-    return gap.last < gap.first ? first : (gap.first + gap.last + 1) / 2;
+    // Near to the unknown: greys in between are edges of the floor, and doors are narrow.
+    constexpr int kPart = 6;
+    return gap.last < gap.first ? first : gap.first + (gap.last + 1 - gap.first) / kPart;
 }
 
 int border_below(const GreyShares& shares, int first_unknown) {

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] double at(int grey) const { return shares_[static_cast<std::size_t>(grey)]; }
     /// Of the greys first .. last; 0 when there is none.
     [[nodiscard]] double of(int first, int last) const;
+    /// Of all pixels but those of one grey. @pre there are others.
+    [[nodiscard]] GreyShares without(int grey) const;
 
 private:
     std::array<double, kWhite + 1> shares_{};
@@ -42,8 +44,8 @@ struct GreyBounds {
 };
 [[nodiscard]] GreyBounds bounds_of(const MapKeys& keys);
 
-/// The hump whose highest grey is within `reach` of `center`: a grey that stands far above those
-/// around it, or neighbouring ones, as noise makes of one, that fall to a tenth within 16 greys.
+/// The hump whose middle is within `reach` of `center`: a grey that stands far above those around
+/// it, or neighbouring ones, as noise makes of one, that fall to a tenth within 20 greys.
 [[nodiscard]] std::optional<GreyRange> find_hump(const GreyShares& shares, int center, int reach);
 
 /// Whether at least half of the greys' pixels have one that stands far above those around it.
@@ -59,10 +61,14 @@ struct GreyClasses {
 /// Nothing when there is only one class.
 [[nodiscard]] std::optional<GreyClasses> find_grey_classes(const GreyShares& shares);
 
-/// The first grey of the floor above an unknown one: the middle of the widest gap below the floor's
-/// median, or the next grey when there is no gap.
+/// The one very frequent grey among the continuous greys of a floor: no thresholds can tell it from
+/// them.
+[[nodiscard]] std::optional<int> find_unknown_within_floor(const GreyShares& shares);
+
+/// The first grey of the floor above an unknown one: after a sixth of the widest gap below the
+/// floor's median, or the next grey when there is no gap.
 [[nodiscard]] int border_above(const GreyShares& shares, int last_unknown);
-/// The last grey of the walls, likewise.
+/// The last grey of the walls, in the middle of such a gap.
 [[nodiscard]] int border_below(const GreyShares& shares, int first_unknown);
 
 }  // namespace quadcut::io

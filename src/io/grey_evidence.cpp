@@ -17,6 +17,9 @@ constexpr double kEdges = 0.1;
 /// Less than this of all pixels is no floor.
 constexpr double kLeastFloor = 0.02;
 
+/// So many times more floor than walls is no accident.
+constexpr double kMuchMore = 3.0;
+
 /// What is wrong with a reading.
 struct Contradiction {
     bool unknown_is_free = false;
@@ -87,7 +90,6 @@ bool has_a_savers_greys_in_reverse(const GreyShares& shares, const GreyBounds& b
 
 bool has_walls_for_floor(const GreyShares& shares, const GreyClasses& classes,
                          const Contradiction& wrong) {
-    constexpr double kMuchMore = 3.0;
     const GreyRange dark{0, classes.unknown.first - 1};
     return wrong.of_floor() && classes.is_unknown_by_custom && !is_mostly_even(shares, dark) &&
            shares.of(dark.first, dark.last) >
@@ -163,10 +165,39 @@ std::optional<GreyReading> find_thresholds(const GreyTally& tally, const MapKeys
     return reading;
 }
 
+/// Thresholds and the unknown grey that lies between greys of the floor.
+std::optional<GreyReading> find_unknown_grey(const GreyTally& tally, const MapKeys& given) {
+    const GreyShares shares(tally, given.negate);
+    const std::optional<int> unknown = find_unknown_within_floor(shares);
+    if (!unknown) return std::nullopt;
+    const GreyShares others = shares.without(*unknown);
+    const std::optional<GreyClasses> classes = find_grey_classes(others);
+    if (!classes) return std::nullopt;
+    GreyReading reading{given, {}};
+    reading.keys.unknown_grey = given.negate ? kWhite - *unknown : *unknown;
+    reading.keys.free_thresh = threshold_between(border_above(others, classes->unknown.last) - 1);
+    reading.keys.occupied_thresh = threshold_between(border_below(others, classes->unknown.first));
+    reading.reason = "grey " + std::to_string(*reading.keys.unknown_grey) + " (" +
+                     percent(shares.at(*unknown)) +
+                     ") stands far above the greys of the floor around it and is unknown";
+    return reading;
+}
+
+/// Walls are thin: there is less of them than of floor.
+bool has_unknown_within_walls(const GreyShares& reversed) {
+    const std::optional<int> unknown = find_unknown_within_floor(reversed);
+    if (!unknown) return false;
+    const GreyShares others = reversed.without(*unknown);
+    const std::optional<GreyClasses> classes = find_grey_classes(others);
+    return classes && others.of(classes->unknown.last + 1, kWhite) >
+                          kMuchMore * others.of(0, classes->unknown.first - 1);
+}
+
 bool is_in_reverse(const GreyTally& tally, const MapKeys& given) {
     const GreyShares shares(tally, given.negate);
     const GreyBounds bounds = bounds_of(given);
     if (has_a_savers_greys_in_reverse(shares, bounds)) return true;
+    if (has_unknown_within_walls(GreyShares(tally, !given.negate))) return true;
     const std::optional<GreyClasses> classes = find_grey_classes(shares);
     return classes &&
            has_walls_for_floor(shares, *classes, find_contradiction(shares, *classes, bounds));
@@ -183,7 +214,9 @@ std::optional<GreyReading> find_grey_reading(const GreyTally& tally, const MapKe
         keys.negate = !keys.negate;
         reason = "walls and floor have each other's greys";
     }
-    if (const std::optional<GreyReading> found = find_thresholds(tally, keys)) {
+    std::optional<GreyReading> found = find_unknown_grey(tally, keys);
+    if (!found) found = find_thresholds(tally, keys);
+    if (found) {
         keys = found->keys;
         reason += (reason.empty() ? "" : ", and ") + found->reason;
     }

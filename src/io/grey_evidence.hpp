@@ -27,6 +27,7 @@ enum class NegateSource : std::uint8_t { file, person };
 /// - the unknown grey comes out free or occupied: about 205 (savers), or 126 .. 129 between walls
 ///   and floor;
 /// - nothing comes out free although there is something bright;
+/// - one very frequent grey lies among the continuous greys of the floor (MapKeys::unknown_grey);
 /// - a threshold cuts through floor of continuous greys. Floor that is mostly one grey is clean:
 ///   what else is bright is the edge of something, and stays as the keys have it.
 /// Black and white are exchanged where the greys are those of a saver in reverse, or where, with

@@ -20,7 +20,8 @@ constexpr double kBareResolution = 0.05;
 constexpr double kBareFreeThreshold = 0.19;
 
 /// What stands at the end of each assumption on the greys.
-constexpr const char* kOverruled = " (--trust-yaml, --free-thresh or --negate overrule this)";
+constexpr const char* kOverruled =
+    "; --trust-yaml, --free-thresh or --occupied-thresh overrule this";
 
 /// Where a map comes from, before its image is looked at.
 struct MapSource {
@@ -124,7 +125,7 @@ MapFile with_states(MapSource source, const MapReadOptions& options) {
         file.warnings.push_back(
             std::string("walls are drawn on a transparent ground, which is taken as floor ") +
             (floor.is_enclosed ? "inside of them" : "everywhere, since they enclose nothing") +
-            " (--trust-yaml: as unknown)");
+            "; --trust-yaml makes it unknown");
     }
     return file;
 }

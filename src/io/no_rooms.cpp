@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "io/number_text.hpp"
+#include "io/transparent_ground.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -73,7 +74,9 @@ std::string why_no_rooms(const GreyTally& tally, const MapKeys& keys) {
     if (keys.mode != MapMode::raw) {
         MapKeys reversed = keys;
         reversed.negate = !keys.negate;
-        const std::uint64_t num_free = count_states(tally, reversed).num_free;
+        const std::uint64_t num_ground =
+            is_drawn_on_transparent(tally, reversed) ? tally.num_not_opaque : 0;
+        const std::uint64_t num_free = count_states(tally, reversed).num_free + num_ground;
         if (num_free > kMuchMore * counts.num_free && num_free * kLeastShare >= counts.total()) {
             return "only " + percent(counts.num_free, counts) +
                    " of the pixels are free; if black and white are exchanged, " +

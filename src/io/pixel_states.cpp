@@ -27,10 +27,14 @@ CellState state_of_shade(double shade, const MapKeys& keys) {
         const double value = std::round(shade * kWhite);
         return value > 100.0 ? CellState::unknown : state_of_percent(value);
     }
+    const bool is_trinary = keys.mode == MapMode::trinary;
+    if (is_trinary && keys.unknown_grey && std::lround(shade * kWhite) == *keys.unknown_grey) {
+        return CellState::unknown;
+    }
     const double occupancy = keys.negate ? shade : 1.0 - shade;
     if (occupancy >= keys.occupied_thresh) return CellState::occupied;
     if (occupancy <= keys.free_thresh) return CellState::free;
-    if (keys.mode == MapMode::trinary) return CellState::unknown;
+    if (is_trinary) return CellState::unknown;
     return state_of_percent(std::round((occupancy - keys.free_thresh) /
                                        (keys.occupied_thresh - keys.free_thresh) * 100.0));
 }

@@ -84,15 +84,13 @@ bool is_drawn_on_transparent(const GreyTally& tally, const MapKeys& keys) {
     constexpr double kNearlyNothing = 0.01;
     constexpr double kLeastGround = 0.25;
     std::uint64_t num_free = 0;
-    std::uint64_t num_occupied = 0;
     for (std::size_t grey = 0; grey < tally.counts.size(); ++grey) {
         const CellState state = state_of_shade(static_cast<double>(grey) / kWhite, keys);
         if (state == CellState::free) num_free += tally.counts[grey];
-        if (state == CellState::occupied) num_occupied += tally.counts[grey];
     }
     const auto ground = static_cast<double>(tally.num_transparent);
     const auto all = static_cast<double>(tally.count() + tally.num_not_opaque);
-    return num_occupied > 0 && ground >= kLeastGround * all &&
+    return tally.count() > num_free && ground >= kLeastGround * all &&
            static_cast<double>(num_free) <= kNearlyNothing * ground;
 }
 

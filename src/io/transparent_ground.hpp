@@ -7,8 +7,8 @@
 
 namespace quadcut::io {
 
-/// Whether walls are drawn on a transparent ground: nothing but walls is opaque, as good as
-/// nothing opaque is free, where savers leave the unknown transparent and the floor opaque.
+/// Whether walls are drawn on a transparent ground: what is opaque is hardly ever free, whereas
+/// programs that leave the unknown transparent draw the floor.
 [[nodiscard]] bool is_drawn_on_transparent(const GreyTally& tally, const MapKeys& keys);
 
 /// A map of which what lies outside of the walls is unknown.
