@@ -33,7 +33,9 @@ std::string read_image_of_yaml(const std::filesystem::path& image, const std::st
     try {
         return read_file(image);
     } catch (const InputError& error) {
-        throw InputError(yaml_name + ": image: " + error.what());
+        const bool is_missing = !std::filesystem::exists(image);
+        throw InputError(yaml_name + ": image: " + error.what() +
+                         (is_missing ? "; put the file beside the YAML, or mend the key" : ""));
     }
 }
 

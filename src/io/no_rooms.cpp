@@ -69,22 +69,19 @@ std::string why_nothing_is_free(const GreyTally& tally, const MapKeys& keys,
 
 std::string why_no_rooms(const GreyTally& tally, const MapKeys& keys) {
     constexpr std::uint64_t kMuchMore = 4;
-    constexpr std::uint64_t kLeastShare = 20;  // One in so many.
     const StateCounts counts = count_states(tally, keys);
-    if (keys.mode != MapMode::raw) {
-        MapKeys reversed = keys;
-        reversed.negate = !keys.negate;
-        const std::uint64_t num_ground =
-            is_drawn_on_transparent(tally, reversed) ? tally.num_not_opaque : 0;
-        const std::uint64_t num_free = count_states(tally, reversed).num_free + num_ground;
-        if (num_free > kMuchMore * counts.num_free && num_free * kLeastShare >= counts.total()) {
-            return "only " + percent(counts.num_free, counts) +
-                   " of the pixels are free; if black and white are exchanged, " +
-                   (keys.negate ? "negate: 0 in the YAML" : "--negate") + " makes " +
-                   percent(num_free, counts) + " free";
-        }
-    }
-    return counts.num_free == 0 ? why_nothing_is_free(tally, keys, counts) : "";
+    if (counts.num_free == 0) return why_nothing_is_free(tally, keys, counts);
+    MapKeys reversed = keys;
+    reversed.negate = !keys.negate;
+    const std::uint64_t num_ground =
+        is_drawn_on_transparent(tally, reversed) ? tally.num_not_opaque : 0;
+    const std::uint64_t num_free = count_states(tally, reversed).num_free + num_ground;
+    // Walls that are read as floor are little; a map without any has not been exchanged.
+    if (keys.mode == MapMode::raw || num_free < kMuchMore * counts.num_free) return "";
+    return "only " + percent(counts.num_free, counts) +
+           " of the pixels are free; if black and white are exchanged, " +
+           (keys.negate ? "negate: 0 in the YAML" : "--negate") + " makes " +
+           percent(num_free, counts) + " free";
 }
 
 }  // namespace quadcut::io
