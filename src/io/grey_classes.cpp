@@ -12,6 +12,9 @@ namespace {
 /// Beyond this share of its highest grey a hump ends.
 constexpr double kFoot = 0.1;
 
+/// How far customary greys are found off by programs that convert images.
+constexpr int kShift = 2;
+
 /// The mean share of the greys 2 .. 6 steps away.
 double around(const GreyShares& shares, int grey) {
     constexpr int kNear = 2;
@@ -90,7 +93,7 @@ std::optional<GreyRange> find_customary(const GreyShares& shares) {
     constexpr double kLeastWalls = 0.001;
     constexpr double kAll = 0.999;
     constexpr int kEnds = 12;
-    std::optional<GreyRange> found = find_hump(shares, kSaversUnknown, 2);
+    std::optional<GreyRange> found = find_hump(shares, kSaversUnknown, kShift);
     double share = found ? shares.of(found->first, found->last) : 0.0;
     const double others = shares.of(0, kEnds) + shares.of(kWhite - kEnds, kWhite);
     if (share < kLeast && share + others < kAll) found = std::nullopt;
@@ -101,7 +104,7 @@ std::optional<GreyRange> find_customary(const GreyShares& shares) {
         found = std::nullopt;
     }
     if (!found) share = 0.0;
-    const std::optional<GreyRange> middle = find_hump(shares, kWhite / 2, 2);
+    const std::optional<GreyRange> middle = find_hump(shares, kWhite / 2, kShift);
     if (middle && shares.of(middle->first, middle->last) >= std::max(kLeastMiddle, share) &&
         shares.of(0, middle->first - 1) >= kLeastWalls &&
         shares.of(middle->last + 1, kWhite) >= kLeast) {
@@ -230,10 +233,14 @@ std::optional<int> find_unknown_within_floor(const GreyShares& shares) {
     for (int grey = kBeside; grey <= kWhite - kBeside; ++grey) {
         if (shares.at(grey) < kLeast || !stands_out(shares, grey)) continue;
         const GreyShares others = shares.without(grey);
+        const double below = others.of(grey - kBeside, grey - 1);
+        const double above = others.of(grey + 1, grey + kBeside);
+        // At an end of the floor's greys it may as well be the surest floor.
+        const bool is_savers = std::abs(grey - kSaversUnknown) <= kShift;
+        const double beside = is_savers ? std::max(below, above) : std::min(below, above);
         const std::optional<GreyRange> border = find_two_classes(others);
-        if (border && grey >= border->first && !is_mostly_even(others, {border->first, kWhite}) &&
-            others.of(grey - kBeside, grey - 1) >= kLeastBeside &&
-            others.of(grey + 1, grey + kBeside) >= kLeastBeside) {
+        if (beside >= kLeastBeside && border && grey >= border->first &&
+            !is_mostly_even(others, {border->first, kWhite})) {
             return grey;
         }
     }

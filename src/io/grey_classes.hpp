@@ -61,8 +61,8 @@ struct GreyClasses {
 /// Nothing when there is only one class.
 [[nodiscard]] std::optional<GreyClasses> find_grey_classes(const GreyShares& shares);
 
-/// The one very frequent grey among the continuous greys of a floor: no thresholds can tell it from
-/// them.
+/// The one very frequent grey among the continuous greys of a floor, or 205 at an end of them: no
+/// thresholds can tell it from them.
 [[nodiscard]] std::optional<int> find_unknown_within_floor(const GreyShares& shares);
 
 /// The first grey of the floor above an unknown one: after a sixth of the widest gap below the

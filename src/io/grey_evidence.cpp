@@ -83,6 +83,8 @@ bool has_a_savers_greys_in_reverse(const GreyShares& shares, const GreyBounds& b
                                           std::min(unknown->last, bounds.first_free - 1));
     const double floor = shares.of(0, kNoise);
     const double walls = shares.of(kWhite - kNoise, kWhite);
+    // 1 is 254 in reverse; 0 may also be thick walls, and there is less white floor then.
+    const double most_walls = shares.at(1) > shares.at(0) ? floor : floor / 2;
     const double all = floor + walls + shares.of(unknown->first, unknown->last);
     return read_unknown <= kEdges * shares.of(unknown->first, unknown->last) && all >= kNearlyAll &&
            walls > 0.0 && walls <= floor / 2;

@@ -118,6 +118,8 @@ TEST(GreyEvidence, BlackAndWhiteOfASaverMayBeExchanged) {
     EXPECT_EQ(read(reversed(kSaved), keys_of(0.25), {255, 50, 1}), "# .");
     EXPECT_EQ(read(kSaved, keys_of(0.196, 0.65, true), {0, 205, 254}), "# .");
     EXPECT_EQ(read(kSaved, keys_of(0.1, 0.9, true), {0, 205, 254}), "=. #");
+    const GreyTally thick_walls = tally_of({{1, 1, 250}, {50, 50, 600}, {255, 255, 150}});
+    EXPECT_EQ(read(thick_walls, keys_of(0.196), {255, 50, 1}), "# .");
     // Furniture of grey 50 and thick walls are no map in reverse.
     const GreyTally furnished = tally_of({{0, 0, 800}, {50, 50, 20}, {255, 255, 180}});
     EXPECT_EQ(read(furnished, keys_of(0.196), {0, 50, 255}), "=##.");
@@ -150,6 +152,14 @@ TEST(GreyEvidence, TheUnknownMayLieAmongTheGreysOfTheFloor) {
     }
     EXPECT_EQ(read(reversed(tally), keys_of(0.196, 0.65, true), {195, 90, 51, 50, 49}), "#.. .");
     EXPECT_EQ(read(reversed(tally), keys_of(0.196), {195, 90, 51, 50, 49}), "#.. .");
+}
+
+TEST(GreyEvidence, SaversUnknownMayBeBrighterThanAContinuousFloor) {
+    const GreyTally tally = tally_of({{40, 80, 1}, {205, 205, 500}, {160, 203, 10}});
+    EXPECT_EQ(read(tally, keys_of(0.196), {60, 160, 203, 205}), "#.. ");
+    // Any other grey at the end is the surest floor.
+    const GreyTally sure = tally_of({{40, 80, 1}, {230, 230, 200}, {160, 229, 10}});
+    EXPECT_EQ(read(sure, keys_of(0.196), {60, 160, 229, 230}), "#...");
 }
 
 TEST(GreyEvidence, PaperThatWasScannedIsFloor) {

@@ -72,7 +72,7 @@ TEST(TransparentGround, AnOpenDoorLetsNothingOutAndANicheIsNoRoom) {
 
 TEST(TransparentGround, WallsAtTheEdgeOfTheImageEnclose) {
     const WalledFloor floor =
-        take_outside_away(drawn({"#######", "#.....#", "#.....#", "#.....#", "#..####"}));
+        take_outside_away(drawn({"#######", "#.....#", "#.....#", "#.....#", "#.#####"}));
     EXPECT_TRUE(floor.is_enclosed);
     EXPECT_EQ(draw(floor.map)[2], "#.....#");
 }
