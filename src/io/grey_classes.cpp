@@ -61,22 +61,22 @@ std::optional<GreyRange> hump_around(int peak, const Height& height) {
     return hump;
 }
 
-/// The grey at which the pixels of first .. last are halved; `first` when there are none.
-int median(const GreyShares& shares, int first, int last) {
-    const double half = shares.of(first, last) / 2;
+/// The grey at which the pixels of a range are halved; the first when there are none.
+int median(const GreyShares& shares, const GreyRange& greys) {
+    const double half = shares.of(greys.first, greys.last) / 2;
     double sum = 0.0;
-    for (int grey = first; grey <= last; ++grey) {
+    for (int grey = greys.first; grey <= greys.last; ++grey) {
         sum += shares.at(grey);
         if (sum >= half && sum > 0.0) return grey;
     }
-    return first;
+    return greys.first;
 }
 
-/// The longest run of greys in first .. last with shares of at most `most`; may be empty.
-GreyRange longest_gap(const GreyShares& shares, int first, int last, double most) {
-    GreyRange longest{first, first - 1};
-    int begin = first;
-    for (int grey = first; grey <= last; ++grey) {
+/// The longest run of greys in a range with shares of at most `most`; may be empty.
+GreyRange longest_gap(const GreyShares& shares, const GreyRange& greys, double most) {
+    GreyRange longest{greys.first, greys.first - 1};
+    int begin = greys.first;
+    for (int grey = greys.first; grey <= greys.last; ++grey) {
         if (shares.at(grey) > most) {
             begin = grey + 1;
         } else if (grey - begin > longest.last - longest.first) {
@@ -250,10 +250,13 @@ std::optional<int> find_unknown_within_floor(const GreyShares& shares) {
 int border_above(const GreyShares& shares, int last_unknown) {
     const int first = last_unknown + 1;
     if (first > kWhite) return first;
-    const double floor = shares.of(first, kWhite);
-    const int last = floor > 0.0 ? median(shares, first, kWhite) - 1 : kWhite;
-    const GreyRange gap =
-        longest_gap(shares, first, last, kFoot * floor / static_cast<double>(kWhite + 1 - first));
+    const GreyRange floor{first, kWhite};
+    const double share = shares.of(first, kWhite);
+    const int last = share > 0.0 ? median(shares, floor) - 1 : kWhite;
+    const double most = kFoot * share / static_cast<double>(kWhite + 1 - first);
+    // Whatever lies between two even greys is an edge.
+    const GreyRange gap = is_mostly_even(shares, floor) ? GreyRange{first, last}
+                                                        : longest_gap(shares, {first, last}, most);
     // Near to the unknown: greys in between are edges of the floor, and doors are narrow.
     constexpr int kPart = 6;
     return gap.last < gap.first ? first : gap.first + (gap.last + 1 - gap.first) / kPart;
@@ -262,10 +265,10 @@ int border_above(const GreyShares& shares, int last_unknown) {
 int border_below(const GreyShares& shares, int first_unknown) {
     const int last = first_unknown - 1;
     if (last < 0) return last;
-    const double walls = shares.of(0, last);
-    const int first = walls > 0.0 ? median(shares, 0, last) + 1 : 0;
-    const GreyRange gap =
-        longest_gap(shares, first, last, kFoot * walls / static_cast<double>(last + 1));
+    const double share = shares.of(0, last);
+    const int first = share > 0.0 ? median(shares, {0, last}) + 1 : 0;
+    const double most = kFoot * share / static_cast<double>(last + 1);
+    const GreyRange gap = longest_gap(shares, {first, last}, most);
     return gap.last < gap.first ? last : (gap.first + gap.last) / 2;
 }
 

@@ -65,8 +65,8 @@ struct GreyClasses {
 /// thresholds can tell it from them.
 [[nodiscard]] std::optional<int> find_unknown_within_floor(const GreyShares& shares);
 
-/// The first grey of the floor above an unknown one: after a sixth of the widest gap below the
-/// floor's median, or the next grey when there is no gap.
+/// The first grey of the floor above an unknown one: after a sixth of the way to the floor's median
+/// when that is mostly even, or of the widest gap below it, or the next grey when there is no gap.
 [[nodiscard]] int border_above(const GreyShares& shares, int last_unknown);
 /// The last grey of the walls, in the middle of such a gap.
 [[nodiscard]] int border_below(const GreyShares& shares, int first_unknown);

@@ -87,7 +87,7 @@ bool has_a_savers_greys_in_reverse(const GreyShares& shares, const GreyBounds& b
     const double most_walls = shares.at(1) > shares.at(0) ? floor : floor / 2;
     const double all = floor + walls + shares.of(unknown->first, unknown->last);
     return read_unknown <= kEdges * shares.of(unknown->first, unknown->last) && all >= kNearlyAll &&
-           walls > 0.0 && walls <= floor / 2;
+           walls > 0.0 && walls <= most_walls;
 }
 
 bool has_walls_for_floor(const GreyShares& shares, const GreyClasses& classes,
