@@ -164,6 +164,8 @@ std::optional<GreyReading> find_thresholds(const GreyTally& tally, const MapKeys
     if (better.last_occupied != bounds.last_occupied) {
         reading.keys.occupied_thresh = threshold_between(better.last_occupied);
     }
+    // Rounded, one may pass the other where no grey lies between them.
+    reading.keys.free_thresh = std::min(reading.keys.free_thresh, reading.keys.occupied_thresh);
     return reading;
 }
 
