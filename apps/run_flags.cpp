@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/run_flags.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "io/file.hpp"
@@ -16,11 +17,40 @@ std::vector<OptionField> resolution_fields(double& resolution_m) {
     return {{"resolution", "m", 0.001, 10.0, "side of a cell", "", &resolution_m}};
 }
 
+constexpr const char* kFreeFlag = "--free-thresh";
+constexpr const char* kOccupiedFlag = "--occupied-thresh";
+constexpr const char* kNegateFlag = "--negate";
+constexpr const char* kTrustFlag = "--trust-yaml";
+
+std::optional<double> threshold_of(const Arguments& arguments, std::string_view flag,
+                                   std::string_view name) {
+    const std::optional<std::string> text = arguments.value(flag);
+    if (!text) return std::nullopt;
+    double value = 0.0;
+    io::set_option({{name, "", 0.0, 1.0, "", "", &value}}, name, *text);
+    return value;
+}
+
 }  // namespace
 
 Flag resolution_flag() {
     double resolution_m = kLogResolution;
     return flag_of(resolution_fields(resolution_m)[0], "M");
+}
+
+std::vector<Flag> grey_flags() {
+    return {{kFreeFlag, "", "X",
+             "pixels up to this darkness (0 white, 1 black) are free, whatever a YAML says"},
+            {kOccupiedFlag, "", "X", "pixels from this darkness on are occupied"},
+            {kNegateFlag, "", "", "black is free and white is occupied"},
+            {kTrustFlag, "", "",
+             "read the image by its keys to the letter, also where its greys contradict them"}};
+}
+
+bool has_grey_flag(const Arguments& arguments) {
+    const std::vector<Flag> flags = grey_flags();
+    return std::any_of(flags.begin(), flags.end(),
+                       [&](const Flag& flag) { return arguments.has(flag.name); });
 }
 
 Flag poses_flag() {
@@ -39,6 +69,16 @@ std::optional<double> resolution_of(const Arguments& arguments) {
     double resolution_m = 0.0;
     io::set_option(resolution_fields(resolution_m), "resolution", *text);
     return resolution_m;
+}
+
+io::MapReadOptions map_read_options_of(const Arguments& arguments) {
+    io::MapReadOptions options;
+    options.resolution_m = resolution_of(arguments);
+    options.free_thresh = threshold_of(arguments, kFreeFlag, "free_thresh");
+    options.occupied_thresh = threshold_of(arguments, kOccupiedFlag, "occupied_thresh");
+    options.negate = arguments.has(kNegateFlag);
+    if (arguments.has(kTrustFlag)) options.trust = io::GreyTrust::keys;
+    return options;
 }
 
 std::optional<std::filesystem::path> poses_of(const Arguments& arguments) {

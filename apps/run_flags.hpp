@@ -4,21 +4,28 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "apps/arguments.hpp"
 #include "apps/progress.hpp"
+#include "io/map_server.hpp"
 
 namespace quadcut {
 
 // Flags that several commands share.
 
 [[nodiscard]] Flag resolution_flag();
+/// How the greys of a map are read.
+[[nodiscard]] std::vector<Flag> grey_flags();
+[[nodiscard]] bool has_grey_flag(const Arguments& arguments);
 [[nodiscard]] Flag poses_flag();
 [[nodiscard]] Flag json_flag();
 [[nodiscard]] Flag quiet_flag();
 
 /// Metres a cell, when given. Throws InputError as io::set_option does.
 [[nodiscard]] std::optional<double> resolution_of(const Arguments& arguments);
+/// --resolution and the flags of grey_flags(). Throws InputError as io::set_option does.
+[[nodiscard]] io::MapReadOptions map_read_options_of(const Arguments& arguments);
 [[nodiscard]] std::optional<std::filesystem::path> poses_of(const Arguments& arguments);
 /// What the run is to show of its progress.
 [[nodiscard]] ProgressStyle progress_style_of(const Arguments& arguments);

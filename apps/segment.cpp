@@ -23,6 +23,7 @@
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
+#include "io/no_rooms.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
 #include "io/results.hpp"
@@ -42,6 +43,8 @@ struct Input {
     io::MapKeys keys;
     std::vector<Point> trajectory;
     std::vector<std::string> warnings;
+    /// Of a map: what its greys say of why it may have no rooms.
+    std::string why_no_rooms;
     std::uint64_t content_hash = 0;
     bool is_log = false;
 };
@@ -56,16 +59,19 @@ Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& c
     input.warnings = std::move(log.warnings);
     input.content_hash = log.content_hash;
     input.is_log = true;
+    if (has_grey_flag(arguments)) {
+        input.warnings.emplace_back(
+            "--free-thresh, --occupied-thresh, --negate and --trust-yaml play no part for a log");
+    }
     return input;
 }
 
 Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
-    io::MapReadOptions options;
-    options.resolution_m = resolution_of(arguments);
-    io::MapFile file = io::parse_map(std::move(bytes), options);
+    io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
     output.protect(file.image_path);
     output.require_free(io::result_files());
     Input input;
+    input.why_no_rooms = io::why_no_rooms(file.greys, file.keys);
     input.map = std::move(file.map);
     input.keys = std::move(file.keys);
     input.warnings = std::move(file.warnings);
@@ -173,6 +179,9 @@ void run(const Arguments& arguments) {
     io::RunInfo info = run_info_of(options);
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });
+    if (rooms.rooms.empty() && !input.why_no_rooms.empty()) {
+        rooms.report.warnings.push_back(input.why_no_rooms);
+    }
     if (previous) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
@@ -227,6 +236,8 @@ Command segment_command() {
     form.examples = {
         "quadcut segment build/demo/map.yaml -o rooms",
         "quadcut segment build/demo/simulation/robot.log -o rooms_of_log --previous build/demo"};
+    const std::vector<Flag> greys = grey_flags();
+    form.flags.insert(form.flags.begin() + 2, greys.begin(), greys.end());
     return {form, run};
 }
 

@@ -2,21 +2,17 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/map_server.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstddef>
 #include <span>
 #include <utility>
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
+#include "io/grey_evidence.hpp"
 #include "io/image.hpp"
 #include "io/inflate.hpp"
+#include "io/map_place.hpp"
+#include "io/number_text.hpp"
+#include "io/transparent_ground.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -24,133 +20,122 @@ namespace {
 
 constexpr double kBareResolution = 0.05;
 constexpr double kBareFreeThreshold = 0.19;
-constexpr int kMaxByte = 255;
 
-CellState state_of_percent(double percent) {
-    // map_saver's own defaults for turning 0 .. 100 into three states.
-    constexpr double kOccupied = 65.0;
-    constexpr double kFree = 25.0;
-    if (percent >= kOccupied) return CellState::occupied;
-    return percent <= kFree ? CellState::free : CellState::unknown;
-}
+/// What stands at the end of each assumption on the greys.
+constexpr const char* kOverruled =
+    "; --trust-yaml, --free-thresh or --occupied-thresh overrule this";
 
-/// The state of a pixel whose brightness is `shade` of 0 .. 1.
-CellState state_of_shade(double shade, const MapKeys& keys) {
-    if (keys.mode == MapMode::raw) {
-        const double value = std::round(shade * kMaxByte);
-        return value > 100.0 ? CellState::unknown : state_of_percent(value);
-    }
-    const double occupancy = keys.negate ? shade : 1.0 - shade;
-    if (occupancy >= keys.occupied_thresh) return CellState::occupied;
-    if (occupancy <= keys.free_thresh) return CellState::free;
-    if (keys.mode == MapMode::trinary) return CellState::unknown;
-    return state_of_percent(std::round((occupancy - keys.free_thresh) /
-                                       (keys.occupied_thresh - keys.free_thresh) * 100.0));
-}
-
-/// Turns pixels into states. The sum of a pixel's colours is its index into a table of states.
-class PixelStates {
-public:
-    PixelStates(const ImageHeader& header, const MapKeys& keys)
-        : num_channels_(static_cast<std::size_t>(header.channels)),
-          num_colors_(header.channels < 3 ? 1 : 3),
-          opaque_(static_cast<std::uint16_t>(header.max_value)),
-          uses_alpha_(header.channels % 2 == 0 && keys.mode != MapMode::raw) {
-        const std::size_t brightest = num_colors_ * static_cast<std::size_t>(header.max_value);
-        for (std::size_t sum = 0; sum <= brightest; ++sum) {
-            states_.push_back(
-                state_of_shade(static_cast<double>(sum) / static_cast<double>(brightest), keys));
-        }
-        counts_.resize(states_.size());
-    }
-
-    void convert(std::span<const std::uint16_t> samples, CellState* cells) {
-        for (std::size_t i = 0; i < samples.size(); i += num_channels_) {
-            std::size_t sum = samples[i];
-            if (num_colors_ == 3) sum += std::size_t{samples[i + 1]} + samples[i + 2];
-            const bool is_seen = !uses_alpha_ || samples[i + num_channels_ - 1] == opaque_;
-            *cells++ = is_seen ? states_[sum] : CellState::unknown;
-            if (is_seen) ++counts_[sum];
-        }
-    }
-
-    /// How many pixels of a grey in first .. last, on the scale of 0 .. 255, are free.
-    [[nodiscard]] std::uint64_t count_free(double first, double last) const {
-        const double scale =
-            static_cast<double>(kMaxByte) / static_cast<double>(states_.size() - 1);
-        std::uint64_t count = 0;
-        for (std::size_t sum = 0; sum < states_.size(); ++sum) {
-            const double grey = static_cast<double>(sum) * scale;
-            const bool in_range = grey >= first - 0.5 && grey < last + 0.5;
-            if (in_range && states_[sum] == CellState::free) count += counts_[sum];
-        }
-        return count;
-    }
-
-private:
-    std::size_t num_channels_;
-    std::size_t num_colors_;
-    std::uint16_t opaque_;
-    bool uses_alpha_;
-    std::vector<CellState> states_;
-    std::vector<std::uint64_t> counts_;
+/// Where a map comes from, before its image is looked at.
+struct MapSource {
+    MapFile file;
+    std::string image_name;
+    std::string image_bytes;
 };
 
-/// map_saver writes 205 for unknown, just outside its own thresholds. Other thresholds, and tools
-/// that shift the grey a little, make the unknown world free without anybody noticing.
-std::vector<std::string> warn_of_free_unknown(const PixelStates& pixels, std::size_t num_pixels,
-                                              const MapKeys& keys) {
-    if (keys.mode != MapMode::trinary || keys.negate) return {};
-    constexpr double kUnknown = 205.0;
-    constexpr double kNear = 2.0;
-    constexpr double kLargeShare = 0.01;
-    std::uint64_t count = pixels.count_free(kUnknown, kUnknown);
-    std::string grey = "grey 205";
-    if (count == 0) {
-        count = pixels.count_free(kUnknown - kNear, kUnknown + kNear);
-        grey = "a grey near 205";
-        if (static_cast<double>(count) < kLargeShare * static_cast<double>(num_pixels)) return {};
-    }
-    if (count == 0) return {};
-    std::array<char, 32> threshold{};
-    std::to_chars(threshold.data(), threshold.data() + threshold.size() - 1, keys.free_thresh);
-    return {std::to_string(count) + " pixels of " + grey +
-            ", which map_saver writes for unknown, are read as free, because free_thresh is " +
-            threshold.data()};
-}
-
-std::filesystem::path home_of_user() {
-    constexpr std::size_t kBufferBytes = std::size_t{1} << 14U;
-    std::vector<char> buffer(kBufferBytes);
-    passwd entry{};
-    passwd* found = nullptr;
-    if (::getpwuid_r(::getuid(), &entry, buffer.data(), buffer.size(), &found) != 0 ||
-        found == nullptr || found->pw_dir == nullptr) {
-        return {};
-    }
-    return found->pw_dir;
-}
-
-std::filesystem::path find_image(const std::string& image, const InputFile& yaml,
-                                 const MapReadOptions& options) {
-    if (image == "~" || image.starts_with("~/")) {
-        const std::filesystem::path home =
-            options.home_folder.empty() ? home_of_user() : options.home_folder;
-        if (home.empty()) {
-            throw InputError(yaml.name + ": image: " + image +
-                             ": no home folder is known, expected a path without ~");
-        }
-        return image.size() <= 2 ? home : home / image.substr(2);
-    }
-    return yaml.folder / image;  // An absolute path stays as it is.
-}
-
-std::string read_image_of_yaml(const MapFile& file, const std::string& yaml_name) {
+std::string read_image_of_yaml(const std::filesystem::path& image, const std::string& yaml_name) {
     try {
-        return read_file(file.image_path);
+        return read_file(image);
     } catch (const InputError& error) {
-        throw InputError(yaml_name + ": image: " + error.what());
+        const bool is_missing = !std::filesystem::exists(image);
+        throw InputError(yaml_name + ": image: " + error.what() +
+                         (is_missing ? "; put the file beside the YAML, or mend the key" : ""));
     }
+}
+
+MapSource source_of_yaml(const InputFile& input, const MapReadOptions& options) {
+    MapSource source;
+    MapFile& file = source.file;
+    file.has_yaml = true;
+    file.keys =
+        is_gzip(input.bytes)
+            ? parse_map_yaml(unpack_gzip(input.bytes, input.name, kMaxYamlBytes), input.name)
+            : parse_map_yaml(input.bytes, input.name);
+    const FoundImage image =
+        find_image(file.keys.image, input.folder / input.path.filename(), options.home_folder);
+    file.image_path = image.path;
+    source.image_name = display_name(image.path);
+    source.image_bytes = read_image_of_yaml(image.path, input.name);
+    file.content_hash = hash_bytes(source.image_bytes, hash_bytes(input.bytes));
+    if (image.is_elsewhere) {
+        file.warnings.push_back("image: nothing is at " + file.keys.image + ", so " +
+                                display_name(image.path) + " beside the YAML is read");
+    }
+    return source;
+}
+
+MapSource source_of_image(InputFile input, const MapReadOptions& options) {
+    MapSource source;
+    MapFile& file = source.file;
+    file.image_path = input.path;
+    source.image_name = input.name;
+    file.content_hash = hash_bytes(input.bytes);
+    if (const std::optional<YamlBeside> yaml = find_yaml_beside(input.path)) {
+        file.has_yaml = true;
+        file.keys = yaml->keys;
+        file.content_hash = hash_bytes(input.bytes, hash_bytes(yaml->bytes));
+        file.warnings.push_back(
+            "resolution, origin and thresholds are those of " + display_name(yaml->path) +
+            ", which names the image" +
+            (yaml->other ? ", as " + display_name(*yaml->other) + " does" : "") +
+            " (give a YAML itself to choose another)");
+    } else {
+        file.keys = bare_image_keys();
+        file.keys.image = input.path.filename().string();
+        if (!options.resolution_m) {
+            file.warnings.emplace_back("an image states no resolution, taken as 0.05 m a pixel");
+        }
+    }
+    source.image_bytes = std::move(input.bytes);
+    return source;
+}
+
+MapKeys with_options(MapKeys keys, const MapReadOptions& options, const std::string& name) {
+    keys.resolution_m = options.resolution_m.value_or(keys.resolution_m);
+    keys.free_thresh = options.free_thresh.value_or(keys.free_thresh);
+    keys.occupied_thresh = options.occupied_thresh.value_or(keys.occupied_thresh);
+    keys.negate = keys.negate || options.negate;
+    if (keys.free_thresh > keys.occupied_thresh) {
+        throw InputError(name + ": --free-thresh " + exact(keys.free_thresh) +
+                         " is above --occupied-thresh " + exact(keys.occupied_thresh) +
+                         ", expected at most that; give both");
+    }
+    return keys;
+}
+
+/// Reads the image of a map whose keys are known; what the greys say against them is added to its
+/// warnings.
+MapFile with_states(MapSource source, const MapReadOptions& options) {
+    MapFile file = std::move(source.file);
+    Ground ground = Ground::unknown;
+    const auto parse = [&] {
+        return parse_map_image(source.image_bytes, source.image_name, file.keys, ground);
+    };
+    ParsedMap parsed = parse();
+    const bool asks = options.trust == GreyTrust::evidence;
+    if (asks && is_drawn_on_transparent(parsed.greys, file.keys)) {
+        ground = Ground::floor;
+        parsed = parse();
+    }
+    if (asks && !options.free_thresh && !options.occupied_thresh) {
+        const auto source_of_negate = options.negate ? NegateSource::person : NegateSource::file;
+        if (auto reading = find_grey_reading(parsed.greys, file.keys, source_of_negate)) {
+            file.keys = std::move(reading->keys);
+            file.warnings.push_back(reading->reason + kOverruled);
+            parsed = parse();
+        }
+    }
+    for (std::string& warning : parsed.warnings) file.warnings.push_back(std::move(warning));
+    file.greys = parsed.greys;
+    file.map = std::move(parsed.map);
+    if (ground == Ground::floor) {
+        WalledFloor floor = take_outside_away(std::move(file.map));
+        file.map = std::move(floor.map);
+        file.warnings.push_back(
+            std::string("walls are drawn on a transparent ground, which is taken as floor ") +
+            (floor.is_enclosed ? "inside of them" : "everywhere, since they enclose nothing") +
+            "; --trust-yaml makes it unknown");
+    }
+    return file;
 }
 
 }  // namespace
@@ -163,7 +148,7 @@ MapKeys bare_image_keys() {
 }
 
 ParsedMap parse_map_image(std::string_view image_bytes, const std::string& name,
-                          const MapKeys& keys) {
+                          const MapKeys& keys, Ground ground) {
     ParsedMap parsed;
     parsed.map.resolution_m = keys.resolution_m;
     parsed.map.map_from_image = keys.map_from_image;
@@ -173,15 +158,13 @@ ParsedMap parse_map_image(std::string_view image_bytes, const std::string& name,
                                  std::span<const std::uint16_t> samples) {
         if (y == 0) {
             states = Raster<CellState>({}, header.width, header.height);
-            pixels.emplace(header, keys);
+            pixels.emplace(header, keys, ground);
         }
         // Row 0 of an image is the top, row 0 of a raster the lowest.
         pixels->convert(samples, &states.at({0, header.height - 1 - y}));
     };
     parsed.warnings = parse_image(image_bytes, name, convert_row).warnings;
-    for (std::string& warning : warn_of_free_unknown(*pixels, states.values.size(), keys)) {
-        parsed.warnings.push_back(std::move(warning));
-    }
+    parsed.greys = pixels->tally();
     return parsed;
 }
 
@@ -191,32 +174,13 @@ MapFile read_map(const std::filesystem::path& path, const MapReadOptions& option
 
 MapFile parse_map(InputFile input, const MapReadOptions& options) {
     if (options.resolution_m) check_resolution(*options.resolution_m, "");
-    const std::string& name = input.name;
-    std::string bytes = std::move(input.bytes);
-    MapFile file;
-    file.content_hash = hash_bytes(bytes);
-    file.has_yaml = find_file_nature(bytes, name).kind == FileKind::map_yaml;
-    if (file.has_yaml && is_gzip(bytes)) bytes = unpack_gzip(bytes, name, kMaxYamlBytes);
-    file.keys = file.has_yaml ? parse_map_yaml(bytes, name) : bare_image_keys();
-    file.image_path = file.has_yaml ? find_image(file.keys.image, input, options) : input.path;
-    if (file.has_yaml) {
-        bytes = read_image_of_yaml(file, name);
-        file.content_hash = hash_bytes(bytes, file.content_hash);
-    } else {
-        file.keys.image = input.path.filename().string();
-        if (!options.resolution_m) {
-            file.warnings.push_back(name +
-                                    ": an image states no resolution, taken as 0.05 m a "
-                                    "pixel");
-        }
-    }
-    file.keys.resolution_m = options.resolution_m.value_or(file.keys.resolution_m);
-    ParsedMap parsed =
-        parse_map_image(bytes, file.has_yaml ? display_name(file.image_path) : name, file.keys);
-    file.map = std::move(parsed.map);
-    for (std::string& warning : parsed.warnings) {
-        file.warnings.push_back(std::move(warning.insert(0, name + ": ")));
-    }
+    const std::string name = input.name;
+    const bool is_yaml = find_file_nature(input.bytes, name).kind == FileKind::map_yaml;
+    MapSource source =
+        is_yaml ? source_of_yaml(input, options) : source_of_image(std::move(input), options);
+    source.file.keys = with_options(std::move(source.file.keys), options, name);
+    MapFile file = with_states(std::move(source), options);
+    for (std::string& warning : file.warnings) warning.insert(0, name + ": ");
     return file;
 }
 

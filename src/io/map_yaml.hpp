@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ struct MapKeys {
     bool negate = false;
     double occupied_thresh = 0.65;
     double free_thresh = 0.196;
+    /// A grey of 0 .. 255 that is unknown in mode trinary, whatever the thresholds say. No key of a
+    /// YAML: only the image can tell.
+    std::optional<int> unknown_grey;
 };
 
 /// The name of a mode as it stands in a YAML.

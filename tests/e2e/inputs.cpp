@@ -50,7 +50,9 @@ TEST(Inputs, MapsComeThroughPipes) {
     const Folder folder;
     folder.write("map.pgm", office_pgm());
     folder.write("map.yaml", yaml_for("map.pgm"));
-    for (const std::string name : {"map.pgm", "map.yaml"}) {
+    // One that no YAML names: beside a pipe there is none.
+    folder.write("bare.pgm", office_pgm());
+    for (const std::string name : {"bare.pgm", "map.yaml"}) {
         ASSERT_EQ(run_line(folder, "\"$Q\" segment " + name + " -o plain").exit_code, 0);
         const auto expected = results_in(folder / "plain");
         ASSERT_EQ(expected.size(), 6U);

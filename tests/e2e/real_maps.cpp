@@ -90,21 +90,6 @@ TEST(SlowRealMaps, EveryOtherMapGivesConnectedRooms) {
     }
 }
 
-TEST(SlowRealMaps, UnknownReadAsFreeIsWarnedOf) {
-    // A map whose thresholds make unknown pixels free: read as map_server reads it.
-    for (const auto& entry : std::filesystem::directory_iterator(shared("data/maps"))) {
-        if (entry.path().extension() != ".yaml") continue;
-        if (read_bytes(entry.path()).find("free_thresh: 0.25") == std::string::npos) continue;
-        const Folder folder;
-        const Outcome outcome =
-            run_quadcut({"segment", entry.path().string(), "-o", folder / "out"});
-        EXPECT_EQ(outcome.exit_code, 0);
-        EXPECT_EQ(outcome.err.rfind("quadcut: warning: ", 0), 0U) << outcome.err;
-        return;
-    }
-    GTEST_SKIP() << "no such map in data/maps";
-}
-
 /// The numbers that a command prints as JSON.
 nlohmann::json numbers_of(const std::string& program, const std::vector<std::string>& arguments) {
     const Outcome outcome = run_process(program, arguments);

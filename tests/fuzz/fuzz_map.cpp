@@ -9,8 +9,10 @@
 #include <zlib.h>
 
 #include "io/image.hpp"
+#include "io/grey_evidence.hpp"
 #include "io/map_server.hpp"
 #include "io/map_yaml.hpp"
+#include "io/no_rooms.hpp"
 #include "quadcut/base/error.hpp"
 
 // The bytes are an image, or a map_server YAML, or a YAML and (after a NUL byte) its image.
@@ -25,8 +27,12 @@ void read_map_bytes(std::string_view bytes) {
         is_image ? io::bare_image_keys() : io::parse_map_yaml(bytes.substr(0, border), "fuzz.yaml");
     if (!is_image && border == std::string_view::npos) return;
     const std::string_view image = is_image ? bytes : bytes.substr(border + 1);
-    const quadcut::GridMap map = io::parse_map_image(image, "fuzz.png", keys).map;
+    const io::ParsedMap parsed = io::parse_map_image(image, "fuzz.png", keys);
+    const quadcut::GridMap& map = parsed.map;
     // What a reader hands on keeps its promises.
+    const auto reading = io::find_grey_reading(parsed.greys, keys, io::NegateSource::file);
+    if (reading && reading->keys.free_thresh > reading->keys.occupied_thresh) __builtin_trap();
+    (void)io::why_no_rooms(parsed.greys, keys);
     const auto cells =
         static_cast<std::size_t>(map.states.width) * static_cast<std::size_t>(map.states.height);
     if (cells == 0 || map.states.values.size() != cells) __builtin_trap();

@@ -167,7 +167,8 @@ TEST(MapServer, NamesYamlAndImageWhenTheImageIsMissing) {
     const auto yaml = folder.write("m.yaml", yaml_of("b.pgm"));
     EXPECT_EQ(error_of([&] { (void)read_map(yaml); }),
               yaml.string() + ": image: " + (folder.path() / "b.pgm").string() +
-                  ": cannot be opened: No such file or directory");
+                  ": cannot be opened: No such file or directory; put the file beside the YAML, or "
+                  "mend the key");
     folder.write("b.pgm", "P5 9 9 255\nshort");
     EXPECT_EQ(error_of([&] { (void)read_map(yaml); }),
               (folder.path() / "b.pgm").string() +
@@ -208,27 +209,120 @@ TEST(MapServer, TheResolutionMayBeGiven) {
     }
 }
 
-TEST(MapServer, WarnsWhenUnknownIsReadAsFree) {
-    const ScratchFolder folder;
-    folder.write("a.pgm", pgm_row({205, 254, 205, 0}));
-    std::string text = yaml_of("a.pgm");
-    text.replace(text.find("0.196"), 5, "0.25");
-    const auto yaml = folder.write("a.yaml", text);
-    const MapFile file = read_map(yaml);
-    EXPECT_EQ(draw(file.map), Rows{"...#"});
-    EXPECT_EQ(file.warnings,
-              Rows{yaml.string() +
-                   ": 2 pixels of grey 205, which map_saver writes for unknown, are read as free, "
-                   "because free_thresh is 0.25"});
+std::string with_free_thresh(std::string yaml, const std::string& value) {
+    return yaml.replace(yaml.find("0.196"), 5, value);
 }
 
-TEST(MapServer, WarnsOfAGreyNearUnknownOnlyWhenItIsCommon) {
-    const MapKeys keys;
-    EXPECT_EQ(parse_map_image(pgm_row({206, 254, 254, 0}), "x", keys).warnings.size(), 1U);
-    EXPECT_EQ(parse_map_image(pgm_row({204, 205, 210, 0}), "x", keys).warnings.size(), 0U);
-    std::vector<int> greys(1000, 254);
-    greys[7] = 206;
-    EXPECT_EQ(parse_map_image(pgm_row(greys), "x", keys).warnings.size(), 0U);
+TEST(MapServer, TheUnknownOfSaversIsUnknownWhateverTheThreshold) {
+    const ScratchFolder folder;
+    folder.write("a.pgm", pgm_row({205, 254, 205, 0}));
+    const auto yaml = folder.write("a.yaml", with_free_thresh(yaml_of("a.pgm"), "0.25"));
+    const MapFile file = read_map(yaml);
+    EXPECT_EQ(draw(file.map), Rows{" . #"});
+    EXPECT_EQ(file.warnings,
+              Rows{yaml.string() +
+                   ": grey 205 (50 %), which map_saver writes for unknown, would be free at "
+                   "free_thresh 0.25; read with free_thresh 0.163; --trust-yaml, --free-thresh or "
+                   "--occupied-thresh overrule this"});
+    // The keys that are handed on describe what was done.
+    EXPECT_EQ(draw(parse_map_image(pgm_row({205, 254, 205, 0}), "x", file.keys).map),
+              draw(file.map));
+    EXPECT_EQ(file.greys.count(205, 205), 2U);
+}
+
+TEST(MapServer, WhatPeopleSayThemselvesIsNotQuestioned) {
+    const ScratchFolder folder;
+    folder.write("a.pgm", pgm_row({205, 254, 205, 0}));
+    const auto yaml = folder.write("a.yaml", with_free_thresh(yaml_of("a.pgm"), "0.25"));
+    for (const MapReadOptions& options :
+         {MapReadOptions{.trust = GreyTrust::keys}, MapReadOptions{.free_thresh = 0.25}}) {
+        const MapFile file = read_map(yaml, options);
+        EXPECT_EQ(draw(file.map), Rows{"...#"});
+        EXPECT_EQ(file.warnings, Rows{});
+    }
+    EXPECT_EQ(draw(read_map(yaml, {.occupied_thresh = 1.0}).map), Rows{"...#"});
+    EXPECT_EQ(draw(read_map(yaml, {.negate = true, .trust = GreyTrust::keys}).map), Rows{"###."});
+    EXPECT_EQ(error_of([&] { (void)read_map(yaml, {.free_thresh = 0.7}); }),
+              yaml.string() +
+                  ": --free-thresh 0.7 is above --occupied-thresh 0.65, expected at most that; "
+                  "give both");
+}
+
+TEST(MapServer, OtherModesAreReadByTheirKeys) {
+    const ScratchFolder folder;
+    folder.write("a.pgm", pgm_row({205, 254, 205, 0}));
+    for (const std::string mode : {"scale", "raw"}) {
+        const auto yaml =
+            folder.write("a.yaml", with_free_thresh(yaml_of("a.pgm", "mode: " + mode), "0.25"));
+        const MapFile file = read_map(yaml);
+        EXPECT_EQ(draw(file.map), Rows{mode == "raw" ? "   ." : "...#"});
+        EXPECT_EQ(file.warnings, Rows{});
+    }
+}
+
+TEST(MapServer, AnUnknownGreyGoesBeforeTheThresholds) {
+    MapKeys keys;
+    keys.unknown_grey = 230;
+    EXPECT_EQ(read_row(pgm_row({0, 229, 230, 231}), keys), "#. .");
+    EXPECT_EQ(read_row(png({2, 1, 1, 65535}, {229 * 257, 230 * 257}), keys), ". ");
+    keys.mode = MapMode::scale;
+    EXPECT_EQ(read_row(pgm_row({0, 229, 230, 231}), keys), "#...");
+}
+
+TEST(MapServer, TheImageBesideTheYamlStandsInForOneOfAnotherMachine) {
+    const ScratchFolder folder;
+    folder.write("a.pgm", pgm_row({254, 0}));
+    for (const std::string path : {"/no/such/place/a.pgm", "maps/a.pgm", "C:\\maps\\a.pgm"}) {
+        const auto yaml = folder.write("m.yaml", yaml_of(path));
+        const MapFile file = read_map(yaml);
+        EXPECT_EQ(draw(file.map), Rows{".#"});
+        EXPECT_EQ(file.warnings,
+                  Rows{yaml.string() + ": image: nothing is at " + path + ", so " +
+                       (folder.path() / "a.pgm").string() + " beside the YAML is read"});
+    }
+    // What is where the YAML says goes first.
+    folder.write("maps/a.pgm", pgm_row({0, 0}));
+    EXPECT_EQ(draw(read_map(folder.write("m.yaml", yaml_of("maps/a.pgm"))).map), Rows{"##"});
+}
+
+TEST(MapServer, ABareImageTakesTheValuesOfTheYamlBesideIt) {
+    const ScratchFolder folder;
+    const auto image = folder.write("a.pgm", pgm_row({254, 0}));
+    const auto yaml = folder.write("a.yaml", yaml_of("a.pgm"));
+    const MapFile file = read_map(image);
+    EXPECT_EQ(file.map.resolution_m, 0.1);
+    EXPECT_EQ(file.map.map_from_image, (Pose{1.0, 2.0, 0.5}));
+    EXPECT_EQ(file.content_hash, read_map(yaml).content_hash);
+    EXPECT_EQ(
+        file.warnings,
+        Rows{image.string() + ": resolution, origin and thresholds are those of " + yaml.string() +
+             ", which names the image (give a YAML itself to choose another)"});
+    EXPECT_EQ(read_map(image, {.resolution_m = 0.3}).map.resolution_m, 0.3);
+}
+
+TEST(MapServer, WallsOnATransparentGroundEncloseFloor) {
+    // A room of 10 x 3 pixels of a metre, in a margin.
+    constexpr std::int32_t kWidth = 16;
+    constexpr std::int32_t kHeight = 9;
+    std::vector<std::uint16_t> samples;
+    for (std::int32_t y = 0; y < kHeight; ++y) {
+        for (std::int32_t x = 0; x < kWidth; ++x) {
+            const bool is_wall =
+                x >= 2 && x <= 13 && y >= 2 && y <= 6 && (x == 2 || x == 13 || y == 2 || y == 6);
+            samples.insert(samples.end(), {0, static_cast<std::uint16_t>(is_wall ? 255 : 0)});
+        }
+    }
+    const ScratchFolder folder;
+    const auto image = folder.write("a.png", png({kWidth, kHeight, 2, 255}, samples));
+    const MapFile file = read_map(image, {.resolution_m = 1.0});
+    EXPECT_EQ(draw(file.map).at(4), "  #..........#  ");
+    EXPECT_EQ(draw(file.map).at(0), std::string(kWidth, ' '));
+    EXPECT_EQ(file.warnings,
+              Rows{image.string() +
+                   ": walls are drawn on a transparent ground, which is taken as floor inside of "
+                   "them; --trust-yaml makes it unknown"});
+    const MapFile literal = read_map(image, {.resolution_m = 1.0, .trust = GreyTrust::keys});
+    EXPECT_EQ(draw(literal.map).at(4), "  #          #  ");
 }
 
 TEST(MapServer, TheHashCoversYamlAndImage) {
