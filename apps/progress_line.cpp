@@ -75,8 +75,8 @@ std::string progress_line(const ProgressState& state, std::size_t width) {
     for (const std::string& tail : {with_all, with_rate}) {
         const std::size_t others = stage.size() + bar_text(share, 0).size() + tail.size();
         if (others + kShortestBar > width) continue;
-        const std::size_t length = std::min(width - others, kLongestBar);
-        return without_end(stage + bar_text(share, length) + tail, width);
+        const std::string bar = bar_text(share, std::min(width - others, kLongestBar));
+        return without_end(std::string(stage).append(bar).append(tail), width);
     }
     for (const std::string& tail : {with_rate, with_time}) {
         if (stage.size() + tail.size() <= width) return without_end(stage + tail, width);
