@@ -4,15 +4,13 @@
 
 #include <cmath>
 #include <string>
-#include <system_error>
 #include <utility>
-
-#include <unistd.h>
 
 #include "io/file.hpp"
 #include "io/option_text.hpp"
 #include "io/updates.hpp"
 #include "quadcut/base/error.hpp"
+#include "store/new_file.hpp"
 #include "store/project_rows.hpp"
 #include "store/schema.hpp"
 
@@ -80,37 +78,21 @@ std::size_t count_in_meta(const Database& database, std::string_view key) {
 
 Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
                         const LogPosition& position) {
-    // A killed program leaves no half-made project under the name.
-    std::filesystem::path beside = path;
-    beside += ".new" + std::to_string(::getpid());
-    {
-        Database database = Database::create(beside);
-        database.run("BEGIN");
-        for (const Table& table : tables()) database.run(std::string(table.sql));
-        write_options(database, options);
-        write_meta(database, "resolution_m", options.resolution_m);
-        write_meta(database, "min_change_m2", options.min_change_m2);
-        write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
-        write_meta(database, "first_cut_m2", options.first_cut_m2);
-        write_meta(database, "min_patch_m2", options.min_patch_m2);
-        write_position(database, position);
-        write_state(database, FollowerState{});
-        database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
-        database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
-        database.run("COMMIT");
-    }
-    std::error_code error;
-    // What a killed writer of a file that is gone has left would be taken for this one's.
-    for (const char* end : {"-wal", "-shm", "-journal"}) {
-        std::filesystem::remove(path.string() + end, error);
-    }
-    // A link, unlike a rename, takes no other program's new project away.
-    std::filesystem::create_hard_link(beside, path, error);
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    if (error) {
-        throw InputError(io::display_name(path) + ": cannot be written: " + error.message());
-    }
+    Database database = Database::in_memory(path);
+    database.run("BEGIN");
+    for (const Table& table : tables()) database.run(std::string(table.sql));
+    write_options(database, options);
+    write_meta(database, "resolution_m", options.resolution_m);
+    write_meta(database, "min_change_m2", options.min_change_m2);
+    write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
+    write_meta(database, "first_cut_m2", options.first_cut_m2);
+    write_meta(database, "min_patch_m2", options.min_patch_m2);
+    write_position(database, position);
+    write_state(database, FollowerState{});
+    database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
+    database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
+    database.run("COMMIT");
+    make_database_file(path, database.file_bytes());
     return Project(path, Access::write);
 }
 

@@ -43,7 +43,7 @@ struct EditRecord {
 /// a time, others may read. All errors are InputError, name the file, and leave it valid.
 class Project {
 public:
-    /// A new project, at a name that is free, written beside it and renamed.
+    /// A new project, at a name that is free, as make_database_file() makes it.
     [[nodiscard]] static Project create(const std::filesystem::path& path,
                                         const FollowOptions& options, const LogPosition& position);
     /// Opens one; refused: no project file, one of a newer version, one that another program

@@ -115,11 +115,13 @@ TEST(Project, WhatIsNoProjectIsRefused) {
         return error_of([&] { Project(path, Access::write); });
     };
     EXPECT_THAT(open(folder.path() / "none"), HasSubstr("none: there is no such project file"));
-    EXPECT_THAT(open(folder.path()), HasSubstr("there is no such project file"));
+    EXPECT_THAT(open(folder.path()), HasSubstr("is a folder: expected a project file"));
     EXPECT_THAT(open(folder.write("empty", "")), HasSubstr("empty: is no project file"));
     EXPECT_THAT(open(folder.write("text", std::string(5000, 'x'))),
                 HasSubstr("text: is no project file"));
-    Database::create(folder.path() / "other").run("CREATE TABLE t(x)");
+    Database other = Database::in_memory(folder.path() / "other");
+    other.run("CREATE TABLE t(x)");
+    folder.write("other", other.file_bytes());
     EXPECT_THAT(open(folder.path() / "other"), HasSubstr("other: is no project file"));
     const auto path = folder.path() / "p.quadcut";
     static_cast<void>(Project::create(path, {}, some_log()));
