@@ -22,7 +22,8 @@ constexpr int kDone = 0;
 constexpr int kBadInput = 2;
 constexpr int kInternalError = 3;
 
-void run(std::span<const std::string> words) {
+/// The exit code.
+int run(std::span<const std::string> words) {
     if (words.empty()) throw InputError("expected a command; 'quadcut help' lists them");
     std::string name = words[0];
     std::vector<std::string> rest(words.begin() + 1, words.end());
@@ -30,7 +31,7 @@ void run(std::span<const std::string> words) {
     if (name == "help" || name == "-h" || name == kHelpFlag) {
         if (rest.empty()) {
             std::cout << help_text();
-            return;
+            return kDone;
         }
         name = rest[0];
         rest = {std::string(kHelpFlag)};
@@ -39,17 +40,19 @@ void run(std::span<const std::string> words) {
     const Arguments arguments = parse_arguments(command.form, rest);
     if (arguments.has(kHelpFlag)) {
         std::cout << help_of(command.form);
-        return;
+        return kDone;
     }
+    if (command.answer != nullptr) return command.answer(arguments);
     command.run(arguments);
+    return kDone;
 }
 
 /// Runs the program and turns what goes wrong into one line and an exit code.
 int run_safely(std::span<const std::string> words) {
     try {
-        run(words);
+        const int exit_code = run(words);
         if (!std::cout.flush()) throw InputError("standard output: cannot be written");
-        return kDone;
+        return exit_code;
     } catch (const InputError& error) {
         print_error(error.what());
         return kBadInput;

@@ -91,12 +91,9 @@ TEST(Project, EditsAreRowsThatStay) {
         Follower follower = project.follower();
         follower.update_cells(test::bare_hall());
         const RoomId hall = follower.room_at({9.0, 3.0});
-        follower.rename(hall, "Hall");
-        project.add(EditRecord{"rename", hall, {}, "Hall", {}});
-        const FollowUpdate split = follower.split({4.0, 1.0}, {4.0, 5.0});
-        project.add(split, "");
-        project.add(EditRecord{"split", hall, split.events.front().room, "",
-                               follower.split_lines().back()});
+        project.add({"rename", hall, {}, "Hall", {}}, follower.rename(hall, "Hall"));
+        const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
+        project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
         project.save(follower, some_log());
     }
     const Project project(path, Access::read);
@@ -128,8 +125,8 @@ TEST(Project, WhatIsNoProjectIsRefused) {
     EXPECT_EQ(open(path), "no error");
     Database(path, Access::write).run("CREATE TABLE extra(x)");
     EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=2");
-    EXPECT_THAT(open(path), HasSubstr("format version 2: expected 1; a newer quadcut"));
+    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=3");
+    EXPECT_THAT(open(path), HasSubstr("format version 3: expected 1 to 2; a newer quadcut"));
 }
 
 TEST(Project, RowsThatCannotBeAreRefused) {
