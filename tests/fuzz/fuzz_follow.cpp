@@ -136,6 +136,7 @@ private:
     }
 
     void edit() {
+        before_ = rooms_of_cells();
         try {
             switch (bytes_.byte() % 8) {
                 case 0: {
@@ -171,14 +172,14 @@ private:
     /// What is done at once and taken back leaves the cells as they were.
     void keep(const quadcut::Edited& edited) {
         note(edited.update);
+        // It may have unlocked a room for a moment.
+        locked_cells_.clear();
         const auto once = rooms_of_cells();
         const quadcut::Edited back = follower_.apply(edited.inverse);
-        if (edited.update.graph_nodes != 0 || back.update.graph_nodes != 0) {
-            edits_.push_back(back.inverse);
-            return;
-        }
+        const bool is_cut = edited.update.graph_nodes + back.update.graph_nodes != 0;
+        require(is_cut || rooms_of_cells() == before_);
         const quadcut::Edited again = follower_.apply(back.inverse);
-        require(rooms_of_cells() == once);
+        require(is_cut || again.update.graph_nodes != 0 || rooms_of_cells() == once);
         edits_.push_back(again.inverse);
     }
 
@@ -187,6 +188,7 @@ private:
         if (edits_.empty()) return;
         quadcut::Edit& edit = edits_[bytes_.byte() % edits_.size()];
         const quadcut::Edited edited = follower_.apply(edit);
+        locked_cells_.clear();
         edit = edited.inverse;
     }
 
@@ -247,6 +249,8 @@ private:
     std::set<std::uint32_t> ids_;
     std::map<std::size_t, std::size_t> locked_cells_;
     std::vector<quadcut::Edit> edits_;
+    /// The rooms of all cells before an edit.
+    std::vector<std::uint32_t> before_;
 };
 
 }  // namespace
