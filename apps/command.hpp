@@ -14,6 +14,8 @@ namespace quadcut {
 struct Command {
     CommandForm form;
     void (*run)(const Arguments& arguments) = nullptr;
+    /// In place of `run` where the program's exit code, 0 or 1, is part of the answer.
+    int (*answer)(const Arguments& arguments) = nullptr;
 };
 
 [[nodiscard]] Command segment_command();

@@ -1,94 +1,217 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <algorithm>
-#include <charconv>
-#include <cstdint>
+#include <array>
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <vector>
 
 #include "apps/command.hpp"
 #include "apps/numbers.hpp"
+#include "apps/room_choice.hpp"
+#include "apps/run_flags.hpp"
 #include "apps/uninterrupted.hpp"
+#include "io/file.hpp"
+#include "io/json_writer.hpp"
+#include "io/number_text.hpp"
 #include "quadcut/base/error.hpp"
 #include "store/project.hpp"
 
 namespace quadcut {
 namespace {
 
-/// A room by its id, or by the name that people gave it.
-RoomId room_of(const std::string& word, const Follower& follower) {
-    std::uint32_t id = 0;
-    const char* const end = word.data() + word.size();
-    const auto [read, error] = std::from_chars(word.data(), end, id);
-    if (error == std::errc() && read == end) return RoomId{id};
-    for (const auto& [number, room] : follower.followed()) {
-        if (room.name == word) return RoomId{number};
+/// What an action takes after its name.
+struct Action {
+    std::string_view name;
+    std::size_t num_words;
+    std::string_view words;
+};
+constexpr std::array<Action, 8> kActions{{{"rename", 2, "ROOM NAME"},
+                                          {"merge", 2, "ROOM OTHER"},
+                                          {"split", 4, "X1 Y1 X2 Y2"},
+                                          {"lock", 1, "ROOM"},
+                                          {"unlock", 1, "ROOM"},
+                                          {"undo", 0, "nothing more"},
+                                          {"redo", 0, "nothing more"},
+                                          {"history", 0, "nothing more"}}};
+
+constexpr std::string_view kActionNames =
+    "rename, merge, split, lock, unlock, undo, redo or history";
+/// So much of what was given is said again.
+constexpr std::size_t kMaxEcho = 60;
+
+void check_words(const std::vector<std::string>& operands) {
+    if (operands.size() < 2) {
+        throw InputError("edit " + operands[0].substr(0, kMaxEcho) +
+                         ": expected an action: " + std::string(kActionNames));
     }
-    throw InputError("'" + word + "': expected the id of a room, or a name that was given to one");
+    for (const Action& action : kActions) {
+        if (action.name != operands[1]) continue;
+        if (operands.size() == action.num_words + 2) return;
+        throw InputError("edit PROJECT " + operands[1] + ": expected " + std::string(action.words));
+    }
+    throw InputError("edit: '" + operands[1].substr(0, kMaxEcho) + "': expected " +
+                     std::string(kActionNames));
 }
 
-/// What follows the action's name.
-class Words {
-public:
-    Words(const std::vector<std::string>& operands, std::size_t count, const std::string& expected)
-        : operands_(operands) {
-        if (operands.size() == count + 2) return;
-        throw InputError("edit PROJECT " + operands[1] + ": expected " + expected);
+std::string name_of(RoomId room) { return "room " + std::to_string(index(room)); }
+
+std::string text_of(Cell cell, double resolution_m) {
+    std::string text = "(";
+    text += io::with_decimals((cell.x + 0.5) * resolution_m, 2) + ", ";
+    return text + io::with_decimals((cell.y + 0.5) * resolution_m, 2) + ")";
+}
+
+/// What an edit does: "merge room 12 into room 7".
+std::string summary(const store::EditRecord& edit, double resolution_m) {
+    const std::string room = name_of(edit.room);
+    if (edit.kind == "rename") return "rename " + room + " to " + edit.name;
+    if (edit.kind == "merge") return "merge " + name_of(edit.other) + " into " + room;
+    if (edit.kind != "split") return edit.kind + " " + room;
+    return "split " + name_of(edit.other) + " from " + room + " between " +
+           text_of(edit.line.from, resolution_m) + " and " + text_of(edit.line.to, resolution_m);
+}
+
+std::string_view text_of(store::EditState state) {
+    switch (state) {
+        case store::EditState::undone:
+            return "undone";
+        case store::EditState::dropped:
+            return "undone for good";
+        case store::EditState::done:
+        case store::EditState::fixed:
+            break;
     }
-    [[nodiscard]] const std::string& operator[](std::size_t i) const { return operands_[i + 2]; }
+    return "";
+}
 
-private:
-    const std::vector<std::string>& operands_;
-};
+void write_json(io::JsonWriter& json, const store::EditRecord& edit, double resolution_m) {
+    json.begin_object();
+    json.key("number").integer(static_cast<std::uint64_t>(edit.number));
+    json.key("scan").integer(edit.scan);
+    json.key("kind").text(edit.kind);
+    json.key("room").integer(index(edit.room));
+    if (edit.kind == "rename") json.key("name").text(edit.name);
+    if (edit.kind == "merge" || edit.kind == "split") {
+        json.key("other").integer(index(edit.other));
+    }
+    if (edit.kind == "split") {
+        json.key("line").begin_array();
+        for (const Cell cell : {edit.line.from, edit.line.to}) {
+            json.begin_array();
+            json.number((cell.x + 0.5) * resolution_m).number((cell.y + 0.5) * resolution_m);
+            json.end_array();
+        }
+        json.end_array();
+    }
+    json.key("is_undone").boolean(!text_of(edit.state).empty());
+    json.key("can_be_redone").boolean(edit.state == store::EditState::undone);
+    json.end_object();
+}
 
-/// Makes the edit, and says what it was.
-std::string apply(const std::vector<std::string>& operands, Follower& follower,
-                  store::Project& project) {
+void print_history(const store::Project& project, SummaryStyle style) {
+    const double resolution_m = project.options().resolution_m;
+    const std::vector<store::EditRecord> edits = project.edits();
+    if (style == SummaryStyle::json) {
+        io::JsonWriter json;
+        json.begin_array(io::JsonLayout::lines);
+        for (const store::EditRecord& edit : edits) write_json(json, edit, resolution_m);
+        json.end_array();
+        std::cout << json.finish();
+        return;
+    }
+    if (edits.empty()) std::cout << "no edits\n";
+    for (const store::EditRecord& edit : edits) {
+        std::cout << edit.number << "  scan " << edit.scan << "  " << summary(edit, resolution_m);
+        if (!text_of(edit.state).empty()) std::cout << "  (" << text_of(edit.state) << ")";
+        std::cout << "\n";
+    }
+}
+
+/// Makes an edit and says what it was.
+store::EditRecord make(const std::vector<std::string>& operands, Follower& follower,
+                       store::Project& project) {
+    const std::vector<std::string> words(operands.begin() + 2, operands.end());
     store::EditRecord record;
     record.kind = operands[1];
+    record.scan = follower.num_scans();
+    if (record.kind != "split") record.room = room_of(words[0], follower);
+    Edited edited;
     if (record.kind == "rename") {
-        const Words words(operands, 2, "ROOM NAME");
-        record.room = room_of(words[0], follower);
-        record.name = words[1];
-        follower.rename(record.room, record.name);
+        edited = follower.rename(record.room, words[1]);
+        record.name = follower.followed().at(static_cast<std::uint32_t>(record.room)).name;
     } else if (record.kind == "merge") {
-        const Words words(operands, 2, "ROOM OTHER");
-        record.room = room_of(words[0], follower);
         record.other = room_of(words[1], follower);
-        project.add(follower.merge(record.room, record.other), "");
+        edited = follower.merge(record.room, record.other);
     } else if (record.kind == "split") {
-        const Words words(operands, 4, "X1 Y1 X2 Y2");
-        const FollowUpdate update =
-            follower.split(point_of(words[0], words[1]), point_of(words[2], words[3]));
-        record.room = update.events.front().other;
-        record.other = update.events.front().room;
-        record.line = follower.split_lines().back();
-        project.add(update, "");
-    } else if (record.kind == "lock") {
-        const Words words(operands, 1, "ROOM");
-        record.room = room_of(words[0], follower);
-        follower.lock(record.room);
+        edited = follower.split(point_of(words[0], words[1]), point_of(words[2], words[3]));
+        record.room = edited.inverse.room;
+        record.other = edited.inverse.other;
+        record.line = edited.inverse.lines.front();
     } else {
-        throw InputError("edit: '" + record.kind + "': expected rename, merge, split or lock");
+        edited = record.kind == "lock" ? follower.lock(record.room) : follower.unlock(record.room);
     }
-    project.add(record);
-    const std::string room = "room " + std::to_string(index(record.room));
-    const std::string other = "room " + std::to_string(index(record.other));
-    if (record.kind == "rename") return room + " is now called " + record.name;
-    if (record.kind == "merge") return other + " is now part of " + room;
-    if (record.kind == "split") return other + " is now apart from " + room;
-    return room + " keeps its border";
+    project.add(record, edited);
+    record.number = project.edits().back().number;
+    return record;
+}
+
+std::string story_of(const store::EditRecord& edit, double resolution_m) {
+    const std::string room = name_of(edit.room);
+    if (edit.kind == "rename") return room + " is now called " + edit.name;
+    if (edit.kind == "merge") return name_of(edit.other) + " is now part of " + room;
+    if (edit.kind == "lock") return room + " keeps its border";
+    if (edit.kind == "unlock") return room + " changes with what is seen";
+    return name_of(edit.other) + " is now apart from " + room + ", between " +
+           text_of(edit.line.from, resolution_m) + " and " + text_of(edit.line.to, resolution_m);
+}
+
+/// Refuses what holds no edits, with the way to what does.
+void require_project(const std::filesystem::path& path) {
+    if (!std::filesystem::is_directory(path)) return;
+    const bool is_result = std::filesystem::exists(path / "rooms.yaml");
+    throw InputError(
+        io::display_name(path) + ": is a folder" + (is_result ? " of results" : "") +
+        ": expected a project file, which keeps what people change; 'quadcut follow LOG "
+        "-o DIR --project FILE' makes one of a robot's log");
 }
 
 void run(const Arguments& arguments) {
-    store::Project project(arguments.operands[0], store::Access::write);
+    const std::vector<std::string>& operands = arguments.operands;
+    require_project(operands[0]);
+    check_words(operands);
+    const SummaryStyle style = summary_style_of(arguments);
+    if (operands[1] == "history") {
+        print_history(store::Project(operands[0], store::Access::read), style);
+        return;
+    }
+    store::Project project(operands[0], store::Access::write);
+    const double resolution_m = project.options().resolution_m;
     Follower follower = project.follower();
-    const std::string story = apply(arguments.operands, follower, project);
+    store::EditRecord edit;
+    std::string story;
+    if (operands[1] == "undo") {
+        edit = project.undo(follower);
+        story = "undone: " + summary(edit, resolution_m);
+    } else if (operands[1] == "redo") {
+        edit = project.redo(follower);
+        story = "made again: " + summary(edit, resolution_m);
+    } else {
+        edit = make(operands, follower, project);
+        story = story_of(edit, resolution_m);
+    }
     const Uninterrupted uninterrupted;
     project.save(follower, project.position());
-    std::cout << story << "\n";
+    if (style == SummaryStyle::json) {
+        io::JsonWriter json;
+        write_json(json, edit, resolution_m);
+        std::cout << json.finish();
+        return;
+    }
+    std::cout << story << "\nfiles that were written before do not show it: 'quadcut export "
+              << operands[0] << " -o DIR' writes them anew\n";
 }
 
 }  // namespace
@@ -98,9 +221,11 @@ Command edit_command() {
     form.name = "edit";
     form.text =
         "Changes rooms of a project for good: rename ROOM NAME, merge ROOM OTHER, lock ROOM, "
-        "split X1 Y1 X2 Y2.";
+        "unlock ROOM, split X1 Y1 X2 Y2; undo, redo; history lists what was changed.";
     form.operands = {"PROJECT", "ACTION", "ROOM|X1", "NAME|OTHER|Y1", "X2", "Y2"};
-    form.num_optional = 3;
+    form.num_optional = 5;
+    form.flags = {json_flag()};
+    form.flags[0].text = "the edit, or all of the history, as JSON";
     form.actions = {"rename", "merge", "split", "lock", "unlock", "undo", "redo", "history"};
     form.examples = {
         "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut",

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <optional>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "apps/command.hpp"
 #include "apps/numbers.hpp"
 #include "apps/run_flags.hpp"
 #include "io/json_writer.hpp"
+#include "io/number_text.hpp"
 #include "io/previous_result.hpp"
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/map/line_walk.hpp"
 #include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/segmentation.hpp"
 #include "store/project.hpp"
@@ -19,57 +25,115 @@
 namespace quadcut {
 namespace {
 
+/// The room that a point is in, or else the nearest one; 0 = there is none.
 struct Place {
     RoomId room{};
     std::string name;
+    bool is_inside = false;
+    double distance_m = 0.0;
 };
 
+/// A labelled image, and where it lies.
+struct Floor {
+    Raster<std::uint16_t> labels;
+    std::vector<Room> rooms;
+    Pose map_from_image;
+    double resolution_m = 0.0;
+};
+
+/// How far a point is from the interval at .. at + 1.
+double distance_to_cell(double point, std::int32_t at) {
+    return std::max({0.0, at - point, point - (at + 1.0)});
+}
+
+/// O(cells) outside of rooms.
+Place place_on(const Floor& floor, const Point& point) {
+    const Point in_map = transform(inverse(floor.map_from_image), point);
+    const Point at{in_map.x / floor.resolution_m, in_map.y / floor.resolution_m};
+    const Raster<std::uint16_t>& labels = floor.labels;
+    const auto place = [&](std::uint16_t label, bool is_inside, double distance_m) {
+        const Room& room = floor.rooms[label - std::size_t{1}];
+        return Place{room.id, room.name, is_inside, distance_m};
+    };
+    const bool is_on_map =
+        at.x >= 0.0 && at.y >= 0.0 && at.x < labels.width && at.y < labels.height;
+    if (is_on_map && labels.at(cell_of(at)) != 0) return place(labels.at(cell_of(at)), true, 0.0);
+    double least = std::numeric_limits<double>::infinity();
+    std::uint16_t label = 0;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (labels.values[i] == 0) continue;
+        const Cell cell = labels.cell(i);
+        const double far =
+            std::hypot(distance_to_cell(at.x, cell.x), distance_to_cell(at.y, cell.y));
+        if (far >= least) continue;
+        least = far;
+        label = labels.values[i];
+    }
+    return label == 0 ? Place{} : place(label, false, least * floor.resolution_m);
+}
+
 Place locate_in_result(const std::filesystem::path& folder, const Point& point) {
-    const io::PreviousResult result = io::read_previous_result(folder);
+    io::PreviousResult result = io::read_previous_result(folder);
     const io::MapKeys& map = result.legend.map_keys;
-    const Point in_map = transform(inverse(map.map_from_image), point);
-    const double x = std::floor(in_map.x / map.resolution_m);
-    const double y = std::floor(in_map.y / map.resolution_m);
-    const bool is_inside =
-        x >= 0.0 && y >= 0.0 && x < result.labels.width && y < result.labels.height;
-    if (!is_inside) return {};
-    const std::uint16_t label =
-        result.labels.at({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
-    if (label == 0) return {};
-    const Room& room = result.legend.rooms[label - 1];
-    return {room.id, room.name};
+    return place_on({std::move(result.labels), std::move(result.legend.rooms), map.map_from_image,
+                     map.resolution_m},
+                    point);
 }
 
 Place locate_in_project(const std::filesystem::path& path, const Point& point) {
     const store::Project project(path, store::Access::read);
     const Follower follower = project.follower();
     const RoomId id = follower.room_at(point);
-    if (id == RoomId{}) return {};
-    const std::string& name = follower.followed().at(static_cast<std::uint32_t>(id)).name;
-    if (!name.empty()) return {id, name};
-    // A default name tells the kind, which goes by all rooms around.
-    for (const Room& room : follower.rooms().rooms) {
-        if (room.id == id) return {id, room.name};
+    if (id != RoomId{}) {
+        const std::string& name = follower.followed().at(static_cast<std::uint32_t>(id)).name;
+        if (!name.empty()) return {id, name, true, 0.0};
     }
-    return {id, default_name(RoomKind::unknown, id)};
+    if (follower.num_rooms() == 0) return {};
+    // A default name tells the kind, which goes by all rooms around.
+    Segmentation rooms = follower.rooms();
+    const GridMap map = follower.map().to_grid();
+    return place_on(
+        {std::move(rooms.labels), std::move(rooms.rooms), map.map_from_image, map.resolution_m},
+        point);
 }
 
-void run(const Arguments& arguments) {
+void print_as_json(const Place& place) {
+    io::JsonWriter json;
+    json.begin_object();
+    json.key("room").integer(place.is_inside ? index(place.room) : 0);
+    json.key("name").text(place.is_inside ? place.name : "");
+    if (!place.is_inside && place.room != RoomId{}) {
+        json.key("nearest").begin_object();
+        json.key("room").integer(index(place.room));
+        json.key("name").text(place.name);
+        json.key("distance_m").number(place.distance_m).end_object();
+    }
+    json.end_object();
+    std::cout << json.finish();
+}
+
+void print_as_text(const Place& place) {
+    if (place.room == RoomId{}) {
+        std::cout << "no room: there is none on the map\n";
+    } else if (!place.is_inside) {
+        std::cout << "no room; the nearest is " << index(place.room) << ' ' << place.name << ", "
+                  << io::with_decimals(place.distance_m, 2) << " m away\n";
+    } else {
+        std::cout << index(place.room) << ' ' << place.name << '\n';
+    }
+}
+
+int answer(const Arguments& arguments) {
     const std::filesystem::path where = arguments.operands[0];
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
     const Place place = std::filesystem::is_directory(where) ? locate_in_result(where, point)
                                                              : locate_in_project(where, point);
     if (summary_style_of(arguments) == SummaryStyle::json) {
-        io::JsonWriter json;
-        json.begin_object();
-        json.key("room").integer(index(place.room));
-        json.key("name").text(place.name).end_object();
-        std::cout << json.finish();
-    } else if (place.room == RoomId{}) {
-        std::cout << "no room\n";
+        print_as_json(place);
     } else {
-        std::cout << index(place.room) << ' ' << place.name << '\n';
+        print_as_text(place);
     }
+    return place.is_inside ? 0 : 1;
 }
 
 }  // namespace
@@ -77,13 +141,15 @@ void run(const Arguments& arguments) {
 Command locate_command() {
     CommandForm form;
     form.name = "locate";
-    form.text = "Says which room a point is in: metres, map frame.";
+    form.text =
+        "Says which room a point is in: metres, map frame. Outside of all rooms it says which is "
+        "the nearest and how far, and the exit code is 1.";
     form.operands = {"DIR|PROJECT", "X", "Y"};
     form.flags = {json_flag()};
-    form.flags[0].text = "as JSON; room 0: the point is in none";
+    form.flags[0].text = "as JSON; room 0: the point is in none, and nearest may follow";
     form.examples = {"quadcut locate build/demo 0.9 0.7",
                      "quadcut locate build/demo 0.9 0.7 --json"};
-    return {form, run};
+    return {form, nullptr, answer};
 }
 
 }  // namespace quadcut

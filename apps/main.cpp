@@ -28,7 +28,8 @@ constexpr int kInternalError = 3;
 
 bool is_help(std::string_view word) { return word == "help" || word == "-h" || word == kHelpFlag; }
 
-void run(std::span<const std::string> words) {
+/// The exit code.
+int run(std::span<const std::string> words) {
     if (words.empty()) {
         throw InputError(
             "expected a command, mostly 'quadcut segment map.yaml -o rooms'; 'quadcut help' lists "
@@ -39,7 +40,7 @@ void run(std::span<const std::string> words) {
     if (is_help(line[0])) {
         if (line.size() == 1 || is_help(line[1])) {
             std::cout << help_text();
-            return;
+            return kDone;
         }
         line = {line[1], std::string(kHelpFlag)};
     }
@@ -47,9 +48,11 @@ void run(std::span<const std::string> words) {
     const Arguments arguments = parse_arguments(command.form, std::span(line).subspan(1));
     if (arguments.has(kHelpFlag)) {
         std::cout << help_of(command.form);
-        return;
+        return kDone;
     }
+    if (command.answer != nullptr) return command.answer(arguments);
     command.run(arguments);
+    return kDone;
 }
 
 /// What a file system said, without its function's name.
@@ -72,9 +75,9 @@ void print_failure(std::string message, std::span<const std::string> words) {
 /// Runs the program and turns what goes wrong into one line and an exit code.
 int run_safely(std::span<const std::string> words) {
     try {
-        run(words);
+        const int exit_code = run(words);
         if (!std::cout.flush()) throw InputError("standard output: cannot be written");
-        return kDone;
+        return exit_code;
     } catch (const InputError& error) {
         print_failure(error.what(), words);
         return kBadInput;

@@ -3,6 +3,7 @@
 #include "store/database.hpp"
 
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include <sqlite3.h>
@@ -28,7 +29,7 @@ std::string meaning(sqlite3* database, int code) {
     switch (code & 0xff) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            return "another program is writing to it: try again when that has ended";
+            return "is in use: another program is writing to it; try again when that has ended";
         case SQLITE_FULL:
             return "no space is left; the file holds what was saved before";
         case SQLITE_IOERR:
@@ -161,9 +162,10 @@ Database::Database(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 namespace {
 
-sqlite3* opened(const std::filesystem::path& path, int flags) {
+sqlite3* opened(const std::string& file, const std::filesystem::path& path) {
     sqlite3* handle = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+    const int code = sqlite3_open_v2(file.c_str(), &handle,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE, nullptr);
     std::unique_ptr<sqlite3, CloseDatabase> owner(handle);
     if (code != SQLITE_OK) fail(path, handle, code);
     // The file may be hostile: it has no say beyond its rows.
@@ -183,22 +185,25 @@ sqlite3* opened(const std::filesystem::path& path, int flags) {
 Database::Database(const std::filesystem::path& path, Access access)
     : impl_(std::make_unique<Impl>()) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
-        throw InputError(io::display_name(path) + ": there is no such project file");
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::is_regular_file(status)) {
+        throw InputError(io::display_name(path) + (std::filesystem::is_directory(status)
+                                                       ? ": is a folder: expected a project file"
+                                                   : std::filesystem::exists(status)
+                                                       ? ": is no file: expected a project file"
+                                                       : ": there is no such project file"));
     }
     impl_->path = path;
     // A reader, too, may have to bring in what a killed writer left beside the file.
-    impl_->handle.reset(opened(path, SQLITE_OPEN_READWRITE));
+    impl_->handle.reset(opened(path, path));
     if (access == Access::read) run("PRAGMA query_only=1");
     run("PRAGMA cell_size_check=1");
 }
 
-Database Database::create(const std::filesystem::path& path) {
-    std::error_code error;
-    std::filesystem::remove(path, error);
+Database Database::in_memory(const std::filesystem::path& path) {
     auto impl = std::make_unique<Impl>();
     impl->path = path;
-    impl->handle.reset(opened(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE));
+    impl->handle.reset(opened(":memory:", path));
     return Database(std::move(impl));
 }
 
@@ -220,6 +225,21 @@ std::string Database::integrity() const {
     Statement statement(*this, "PRAGMA integrity_check");
     statement.step();
     return statement.text(0);
+}
+
+std::string Database::file_bytes() const {
+    struct Free {
+        void operator()(unsigned char* bytes) const { sqlite3_free(bytes); }
+    };
+    sqlite3_int64 size = 0;
+    const std::unique_ptr<unsigned char, Free> bytes(
+        sqlite3_serialize(impl_->handle.get(), "main", &size, 0));
+    if (!bytes) throw std::bad_alloc();
+    std::string file(bytes.get(), bytes.get() + size);
+    // Read and write version of the file's header: 2 is WAL.
+    constexpr std::size_t kWriteVersion = 18;
+    file.at(kWriteVersion) = file.at(kWriteVersion + 1) = 2;
+    return file;
 }
 
 void Database::limit_pages(std::int64_t pages) {

@@ -55,8 +55,8 @@ enum class Access : std::uint8_t { read, write };
 class Database {
 public:
     Database(const std::filesystem::path& path, Access access);
-    /// A new, empty one; whatever is at `path` is replaced.
-    [[nodiscard]] static Database create(const std::filesystem::path& path);
+    /// A new, empty one in memory; errors name the file that it is to become.
+    [[nodiscard]] static Database in_memory(const std::filesystem::path& path);
     ~Database();
     Database(Database&&) noexcept;
     Database& operator=(Database&&) = delete;
@@ -68,6 +68,9 @@ public:
     [[nodiscard]] std::int64_t pragma(std::string_view name) const;
     /// "ok", or what is wrong with the file.
     [[nodiscard]] std::string integrity() const;
+    /// The bytes of a file that holds what this one holds, in WAL mode.
+    /// @pre no transaction is open.
+    [[nodiscard]] std::string file_bytes() const;
     /// No file of more pages than this; for tests of a full disk.
     void limit_pages(std::int64_t pages);
     [[nodiscard]] const std::filesystem::path& path() const;

@@ -4,15 +4,13 @@
 
 #include <cmath>
 #include <string>
-#include <system_error>
 #include <utility>
-
-#include <unistd.h>
 
 #include "io/file.hpp"
 #include "io/option_text.hpp"
 #include "io/updates.hpp"
 #include "quadcut/base/error.hpp"
+#include "store/new_file.hpp"
 #include "store/project_rows.hpp"
 #include "store/schema.hpp"
 
@@ -80,37 +78,21 @@ std::size_t count_in_meta(const Database& database, std::string_view key) {
 
 Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
                         const LogPosition& position) {
-    // A killed program leaves no half-made project under the name.
-    std::filesystem::path beside = path;
-    beside += ".new" + std::to_string(::getpid());
-    {
-        Database database = Database::create(beside);
-        database.run("BEGIN");
-        for (const Table& table : tables()) database.run(std::string(table.sql));
-        write_options(database, options);
-        write_meta(database, "resolution_m", options.resolution_m);
-        write_meta(database, "min_change_m2", options.min_change_m2);
-        write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
-        write_meta(database, "first_cut_m2", options.first_cut_m2);
-        write_meta(database, "min_patch_m2", options.min_patch_m2);
-        write_position(database, position);
-        write_state(database, FollowerState{});
-        database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
-        database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
-        database.run("COMMIT");
-    }
-    std::error_code error;
-    // What a killed writer of a file that is gone has left would be taken for this one's.
-    for (const char* end : {"-wal", "-shm", "-journal"}) {
-        std::filesystem::remove(path.string() + end, error);
-    }
-    // A link, unlike a rename, takes no other program's new project away.
-    std::filesystem::create_hard_link(beside, path, error);
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    if (error) {
-        throw InputError(io::display_name(path) + ": cannot be written: " + error.message());
-    }
+    Database database = Database::in_memory(path);
+    database.run("BEGIN");
+    for (const Table& table : tables()) database.run(std::string(table.sql));
+    write_options(database, options);
+    write_meta(database, "resolution_m", options.resolution_m);
+    write_meta(database, "min_change_m2", options.min_change_m2);
+    write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
+    write_meta(database, "first_cut_m2", options.first_cut_m2);
+    write_meta(database, "min_patch_m2", options.min_patch_m2);
+    write_position(database, position);
+    write_state(database, FollowerState{});
+    database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
+    database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
+    database.run("COMMIT");
+    make_database_file(path, database.file_bytes());
     return Project(path, Access::write);
 }
 
@@ -123,6 +105,7 @@ Project::Project(const std::filesystem::path& path, Access access) : database_(p
         database_.run("PRAGMA synchronous=NORMAL");
         // Held until the project is closed, so that no other program writes.
         database_.run("BEGIN IMMEDIATE");
+        bring_up_to_date();
     }
     read_options();
     read_position();
@@ -134,20 +117,30 @@ void Project::check_form() const {
         throw InputError(name + ": is no project file: expected one that quadcut has written");
     }
     const std::int64_t version = database_.pragma("user_version");
-    if (version != kFormatVersion) {
+    if (version < 1 || version > kFormatVersion) {
         throw InputError(name + ": is a project of format version " + std::to_string(version) +
-                         ": expected " + std::to_string(kFormatVersion) +
+                         ": expected 1 to " + std::to_string(kFormatVersion) +
                          (version > kFormatVersion ? "; a newer quadcut has written it" : ""));
     }
     Statement statement(database_, "SELECT sql FROM sqlite_master ORDER BY name");
     bool is_ours = true;
     for (const Table& table : tables()) {
+        if (table.since > version) continue;
         is_ours = is_ours && statement.step() && statement.text(0) == table.sql;
     }
     if (!is_ours || statement.step()) {
         throw InputError(name + ": is no project file: its tables are not those of version " +
                          std::to_string(version));
     }
+}
+
+void Project::bring_up_to_date() {
+    const std::int64_t version = database_.pragma("user_version");
+    if (version == kFormatVersion) return;
+    for (const Table& table : tables()) {
+        if (table.since > version) database_.run(std::string(table.sql));
+    }
+    database_.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
 }
 
 void Project::read_options() {
@@ -201,29 +194,47 @@ std::string Project::update_lines() const {
     return lines;
 }
 
-std::vector<EditRecord> Project::edits() const {
-    std::vector<EditRecord> edits;
-    Statement statement(database_,
-                        "SELECT kind, room, other, name, from_x, from_y, to_x, to_y FROM edits "
-                        "ORDER BY seq");
-    while (statement.step()) {
-        EditRecord edit;
-        edit.kind = statement.text(0);
-        edit.room = RoomId{static_cast<std::uint32_t>(statement.integer(1, 0, kMaxRoom))};
-        edit.other = RoomId{static_cast<std::uint32_t>(statement.integer(2, 0, kMaxRoom))};
-        edit.name = statement.text(3);
-        edit.line = {cell_at(statement, 4), cell_at(statement, 6)};
-        edits.push_back(std::move(edit));
-    }
-    return edits;
-}
-
 void Project::add(const FollowUpdate& update, std::string_view line) {
     if (!line.empty()) waiting_.lines.emplace_back(line);
     for (const LifeEvent& event : update.events) waiting_.events.emplace_back(update.scan, event);
 }
 
-void Project::add(const EditRecord& edit) { waiting_.edits.push_back(edit); }
+void Project::add(const EditRecord& record, const Edited& edited) {
+    add(edited.update, "");
+    write_edit(database_, record, edited.inverse);
+}
+
+EditRecord Project::undo(Follower& follower) {
+    const std::vector<EditRecord> all = edits();
+    for (auto record = all.rbegin(); record != all.rend(); ++record) {
+        if (record->state == EditState::done) return turn(follower, *record, EditState::undone);
+        if (record->state != EditState::fixed) continue;
+        throw InputError("edit " + std::to_string(record->number) +
+                         " was made by a version of quadcut that did not keep how to undo it");
+    }
+    throw InputError("there is nothing to undo");
+}
+
+EditRecord Project::redo(Follower& follower) {
+    for (const EditRecord& record : edits()) {
+        if (record.state == EditState::undone) return turn(follower, record, EditState::done);
+    }
+    throw InputError("there is nothing to redo: no edit was undone since the last was made");
+}
+
+EditRecord Project::turn(Follower& follower, EditRecord record, EditState state) {
+    try {
+        const Edited edited = follower.apply(read_inverse(database_, record));
+        add(edited.update, "");
+        write_inverse(database_, record.number, state, edited.inverse);
+    } catch (const InputError& error) {
+        throw InputError("edit " + std::to_string(record.number) + " cannot be " +
+                         (state == EditState::undone ? "undone" : "made again") +
+                         " after what was seen since: " + error.what());
+    }
+    record.state = state;
+    return record;
+}
 
 void Project::save(Follower& follower, const LogPosition& position) {
     if (is_broken_) {
@@ -232,7 +243,7 @@ void Project::save(Follower& follower, const LogPosition& position) {
     }
     // Until all is written: what a save that fails has taken from the follower is not lost unseen.
     is_broken_ = true;
-    write_waiting(follower.num_scans());
+    write_waiting();
     write_state(database_, follower.state_since_save());
     write_position(database_, position);
     database_.run("COMMIT");
@@ -242,7 +253,7 @@ void Project::save(Follower& follower, const LogPosition& position) {
     is_broken_ = false;
 }
 
-void Project::write_waiting(std::size_t num_scans) {
+void Project::write_waiting() {
     Statement line(database_, "INSERT INTO updates(line) VALUES(?)");
     for (const std::string& text : waiting_.lines) line.bind(1, std::string_view(text)).run();
     Statement event(database_,
@@ -253,21 +264,6 @@ void Project::write_waiting(std::size_t num_scans) {
             .bind(3, static_cast<std::int64_t>(index(life.room)))
             .bind(4, static_cast<std::int64_t>(index(life.other)))
             .bind(5, std::string_view(life.reason))
-            .run();
-    }
-    Statement edit(database_,
-                   "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
-                   "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    for (const EditRecord& one : waiting_.edits) {
-        edit.bind(1, static_cast<std::int64_t>(num_scans))
-            .bind(2, std::string_view(one.kind))
-            .bind(3, static_cast<std::int64_t>(index(one.room)))
-            .bind(4, static_cast<std::int64_t>(index(one.other)))
-            .bind(5, std::string_view(one.name))
-            .bind(6, std::int64_t{one.line.from.x})
-            .bind(7, std::int64_t{one.line.from.y})
-            .bind(8, std::int64_t{one.line.to.x})
-            .bind(9, std::int64_t{one.line.to.y})
             .run();
     }
 }

@@ -12,6 +12,7 @@
 
 #include "quadcut/segment/follow.hpp"
 #include "store/database.hpp"
+#include "store/edit_history.hpp"
 
 namespace quadcut::store {
 
@@ -27,27 +28,17 @@ struct LogPosition {
     bool is_finished = false;
 };
 
-/// What people changed: a row that stays.
-struct EditRecord {
-    /// rename, merge, split, lock
-    std::string kind;
-    RoomId room{};
-    RoomId other{};
-    std::string name;
-    SplitLine line;
-};
-
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
 /// edits, options and the position in the log; docs/formats.md describes its tables. What is saved
 /// is saved as a whole: a program killed at any moment leaves the last save. One program writes at
 /// a time, others may read. All errors are InputError, name the file, and leave it valid.
 class Project {
 public:
-    /// A new project, at a name that is free, written beside it and renamed.
+    /// A new project, at a name that is free, as make_database_file() makes it.
     [[nodiscard]] static Project create(const std::filesystem::path& path,
                                         const FollowOptions& options, const LogPosition& position);
     /// Opens one; refused: no project file, one of a newer version, one that another program
-    /// writes to.
+    /// writes to. The first save makes one of an older version one of this.
     Project(const std::filesystem::path& path, Access access);
 
     [[nodiscard]] const FollowOptions& options() const { return options_; }
@@ -56,11 +47,17 @@ public:
     [[nodiscard]] Follower follower(std::size_t num_threads = 2) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
-    [[nodiscard]] std::vector<EditRecord> edits() const;
+    /// All edits of people, the first first.
+    [[nodiscard]] std::vector<EditRecord> edits() const { return read_edits(database_); }
 
     /// Adds to what the next save writes. An empty line is none.
     void add(const FollowUpdate& update, std::string_view line);
-    void add(const EditRecord& edit);
+    void add(const EditRecord& record, const Edited& edited);
+    /// Takes the last edit back that holds, or makes the first again of those that were undone
+    /// last; the next save writes it. Returns which. Throws InputError, with nothing changed, when
+    /// there is none, or when it says why that is not possible any more.
+    EditRecord undo(Follower& follower);
+    EditRecord redo(Follower& follower);
     /// Writes all that has changed since the last save; after one that has failed, none can be
     /// made. O(changes).
     void save(Follower& follower, const LogPosition& position);
@@ -72,7 +69,9 @@ public:
 
 private:
     void check_form() const;
-    void write_waiting(std::size_t num_scans);
+    void bring_up_to_date();
+    EditRecord turn(Follower& follower, EditRecord record, EditState state);
+    void write_waiting();
     void read_options();
     void read_position();
 
@@ -82,7 +81,6 @@ private:
     struct Waiting {
         std::vector<std::string> lines;
         std::vector<std::pair<std::size_t, LifeEvent>> events;
-        std::vector<EditRecord> edits;
     };
     Waiting waiting_;
     bool is_broken_ = false;

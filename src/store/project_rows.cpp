@@ -90,10 +90,6 @@ void write_tiles(const Database& database, const FollowerState& state) {
     }
 }
 
-void bind_cell(Statement& statement, int place, Cell cell) {
-    statement.bind(place, std::int64_t{cell.x}).bind(place + 1, std::int64_t{cell.y});
-}
-
 void write_rooms(const Database& database, const FollowerState& state, double cell_m2) {
     Statement(database, "DELETE FROM rooms").run();
     Statement insert(database, "INSERT INTO rooms VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
@@ -248,6 +244,10 @@ void read_lists(const Database& database, FollowerState& state) {
 }
 
 }  // namespace
+
+void bind_cell(Statement& statement, int place, Cell cell) {
+    statement.bind(place, std::int64_t{cell.x}).bind(place + 1, std::int64_t{cell.y});
+}
 
 Cell cell_at(const Statement& row, int column) {
     return {static_cast<std::int32_t>(row.integer(column, -kMaxCoordinate, kMaxCoordinate)),

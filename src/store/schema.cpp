@@ -7,7 +7,7 @@
 namespace quadcut::store {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 11> kTables{{
+    static constexpr std::array<Table, 15> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
         {"doors",
          "CREATE TABLE doors(seq INTEGER PRIMARY KEY, room_a INTEGER, room_b INTEGER, "
@@ -32,6 +32,17 @@ std::span<const Table> tables() {
         {"tiles",
          "CREATE TABLE tiles(x INTEGER, y INTEGER, log_odds BLOB, rooms BLOB, "
          "cut_free INTEGER, PRIMARY KEY(y, x)) WITHOUT ROWID"},
+        {"undo", "CREATE TABLE undo(edit INTEGER PRIMARY KEY, state TEXT, border TEXT)", 2},
+        {"undo_cells", "CREATE TABLE undo_cells(edit INTEGER, x INTEGER, y INTEGER, cells INTEGER)",
+         2},
+        {"undo_lines",
+         "CREATE TABLE undo_lines(edit INTEGER, from_x INTEGER, from_y INTEGER, to_x INTEGER, "
+         "to_y INTEGER)",
+         2},
+        {"undo_rooms",
+         "CREATE TABLE undo_rooms(edit INTEGER, room INTEGER, name TEXT, merge_group INTEGER, "
+         "locked INTEGER)",
+         2},
         {"updates", "CREATE TABLE updates(seq INTEGER PRIMARY KEY, line TEXT)"},
     }};
     return kTables;

@@ -10,11 +10,13 @@ namespace quadcut::store {
 
 /// "QCUT".
 inline constexpr std::int64_t kApplicationId = 0x51435554;
-inline constexpr std::int64_t kFormatVersion = 1;
+inline constexpr std::int64_t kFormatVersion = 2;
 
 struct Table {
     std::string_view name;
     std::string_view sql;
+    /// The first format version that has it.
+    std::int64_t since = 1;
 };
 
 /// All tables, by name. A file with any other is no project file.

@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -103,8 +104,8 @@ TEST(ProjectFile, EditsAndLocate) {
     EXPECT_EQ(run_quadcut({"edit", project, "lock", "Kitchen"}).exit_code, 0);
     ASSERT_EQ(run_quadcut(follow).exit_code, 0);
     EXPECT_THAT(read_bytes(folder / "out/rooms.yaml"), HasSubstr("Kitchen"));
-    EXPECT_EQ(run_quadcut({"locate", folder / "out", "-1000", "1000"}).out, "no room\n");
-    EXPECT_EQ(run_quadcut({"locate", project, "-1000", "1000"}).out, "no room\n");
+    EXPECT_EQ(run_quadcut({"locate", folder / "out", "-1000", "1000"}).out,
+              run_quadcut({"locate", project, "-1000", "1000"}).out);
 
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"rename", "4000", "x"},
@@ -149,9 +150,18 @@ TEST(ProjectFile, AFullDiskIsAnErrorAndWhatWasSavedStays) {
     const Folder folder;
     const std::string log = simulated_log(folder, "2");
     const std::string project = folder / "p.quadcut";
-    const std::string command = "ulimit -f 100; exec \"$0\" \"$@\"";
-    const Outcome outcome = run_process("/bin/sh", {"-c", command, QUADCUT_BINARY, "follow", log,
-                                                    "-o", folder / "out", "--project", project});
+    const auto follow_within = [&](const std::string& blocks) {
+        const std::string command = "ulimit -f " + blocks + "; exec \"$0\" \"$@\"";
+        return run_process("/bin/sh", {"-c", command, QUADCUT_BINARY, "follow", log, "-o",
+                                       folder / "out", "--project", project});
+    };
+    const Outcome none = follow_within("10");
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.err, HasSubstr("p.quadcut: cannot be written"));
+    for (const auto& [name, bytes] : files_below(folder / "")) {
+        EXPECT_EQ(name.find("p.quadcut"), std::string::npos) << name << " is left";
+    }
+    const Outcome outcome = follow_within("200");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("p.quadcut"));
     EXPECT_THAT(outcome.err, HasSubstr("the file holds what was saved before"));
@@ -241,6 +251,77 @@ TEST(FollowCommand, OddLinesAreCountedAndTheRestIsFollowed) {
     EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
 }
 
+/// What lies beside each other and begins with the project's name.
+std::vector<std::string> project_files(const Folder& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind("p.quadcut", 0) == 0) names.push_back(name);
+    }
+    return names;
+}
+
+TEST(ProjectFile, SlowOfProgramsThatMakeItAtOnceOneWins) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    for (int round = 0; round < 20; ++round) {
+        for (const std::string& name : project_files(folder)) {
+            std::filesystem::remove(folder / name);
+        }
+        // What is left of an earlier file of this name harms none of them.
+        if (round % 2 == 0) static_cast<void>(folder.write("p.quadcut-wal", read_bytes(log)));
+        std::vector<Outcome> outcomes(3);
+        std::vector<std::thread> programs;
+        for (std::size_t i = 0; i < outcomes.size(); ++i) {
+            // Each with an error output of its own.
+            const std::string own = folder / ("own" + std::to_string(i));
+            programs.emplace_back([&outcomes, &log, &project, i, own] {
+                const std::string command = "exec 2>" + own + ".err; exec \"$0\" \"$@\"";
+                outcomes[i] = run_process("/bin/sh", {"-c", command, QUADCUT_BINARY, "follow", log,
+                                                      "-o", own, "--project", project, "--quiet"});
+                outcomes[i].err = read_bytes(own + ".err");
+            });
+        }
+        for (std::thread& program : programs) program.join();
+        int num_winners = 0;
+        for (const Outcome& outcome : outcomes) {
+            if (outcome.exit_code == 0) ++num_winners;
+            if (outcome.exit_code == 0) continue;
+            EXPECT_EQ(outcome.exit_code, 2);
+            EXPECT_THAT(outcome.err, HasSubstr("p.quadcut: is in use: another program"));
+        }
+        // Who waited until the first had ended goes on from there.
+        EXPECT_GE(num_winners, 1);
+        EXPECT_EQ(project_files(folder), std::vector<std::string>{"p.quadcut"});
+        EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+    }
+}
+
+TEST(ProjectFile, SlowAKillWhileItIsMadeLeavesNothing) {
+    const Folder folder;
+    const std::string log = simulated_log(folder, "2");
+    const std::string project = folder / "p.quadcut";
+    const std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
+                                          "--project", project, "--quiet"};
+    Random random(5);
+    for (int round = 0; round < 25; ++round) {
+        for (const std::string& name : project_files(folder)) {
+            std::filesystem::remove(folder / name);
+        }
+        run_and_kill(follow, random.uniform(0.001, 0.15));
+        for (const std::string& name : project_files(folder)) {
+            EXPECT_TRUE(name == "p.quadcut" || name == "p.quadcut-wal" || name == "p.quadcut-shm")
+                << name;
+        }
+        if (std::filesystem::exists(project)) {
+            EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+        }
+    }
+    EXPECT_EQ(run_quadcut(follow).exit_code, 0);
+    EXPECT_EQ(project_files(folder), std::vector<std::string>{"p.quadcut"});
+}
+
 TEST(ProjectFile, TwoProgramsDoNotWriteAtOnce) {
     const Folder folder;
     const std::string log = simulated_log(folder, "2");
@@ -253,7 +334,7 @@ TEST(ProjectFile, TwoProgramsDoNotWriteAtOnce) {
     EXPECT_EQ(second.exit_code, 2);
     EXPECT_THAT(second.err, HasSubstr("another program is writing to it"));
     EXPECT_EQ(run_quadcut({"edit", project, "lock", "1"}).exit_code, 2);
-    EXPECT_EQ(run_quadcut({"locate", project, "0", "0"}).exit_code, 0) << "others may read";
+    EXPECT_EQ(run_quadcut({"locate", project, "0", "0"}).err, "") << "others may read";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/integrate.hpp"
@@ -135,30 +136,68 @@ private:
     }
 
     void edit() {
+        before_ = rooms_of_cells();
         try {
-            switch (bytes_.byte() % 4) {
-                case 0:
-                    follower_.rename(some_room(), std::string(1, static_cast<char>(bytes_.byte())));
-                    break;
-                case 1: {
+            switch (bytes_.byte() % 8) {
+                case 0: {
                     const RoomId room = some_room();
-                    note(follower_.merge(room, some_room()));
+                    keep(follower_.rename(room, std::string(1, static_cast<char>(bytes_.byte()))));
                     break;
                 }
+                case 1:
                 case 2: {
-                    const quadcut::Point from{bytes_.metres(), bytes_.metres()};
-                    note(follower_.split(from, {bytes_.metres(), bytes_.metres()}));
+                    const RoomId room = some_room();
+                    keep(follower_.merge(room, some_room()));
                     break;
                 }
-                default: {
-                    const RoomId room = some_room();
-                    follower_.lock(room);
-                    locked_cells_[quadcut::index(room)] =
-                        follower_.followed().at(static_cast<std::uint32_t>(room)).num_cells;
+                case 3:
+                case 4: {
+                    const quadcut::Point from{bytes_.metres(), bytes_.metres()};
+                    keep(follower_.split(from, {bytes_.metres(), bytes_.metres()}));
+                    break;
                 }
+                case 5:
+                    keep(follower_.lock(some_room()));
+                    break;
+                case 6:
+                    keep(follower_.unlock(some_room()));
+                    break;
+                default:
+                    turn();
             }
         } catch (const quadcut::InputError&) {
         }
+    }
+
+    /// What is done at once and taken back leaves the cells as they were.
+    void keep(const quadcut::Edited& edited) {
+        note(edited.update);
+        // It may have unlocked a room for a moment.
+        locked_cells_.clear();
+        const auto once = rooms_of_cells();
+        const quadcut::Edited back = follower_.apply(edited.inverse);
+        const bool is_cut = edited.update.graph_nodes + back.update.graph_nodes != 0;
+        require(is_cut || rooms_of_cells() == before_);
+        const quadcut::Edited again = follower_.apply(back.inverse);
+        require(is_cut || again.update.graph_nodes != 0 || rooms_of_cells() == once);
+        edits_.push_back(again.inverse);
+    }
+
+    /// Takes back what was done some time ago, in whatever order.
+    void turn() {
+        if (edits_.empty()) return;
+        quadcut::Edit& edit = edits_[bytes_.byte() % edits_.size()];
+        const quadcut::Edited edited = follower_.apply(edit);
+        locked_cells_.clear();
+        edit = edited.inverse;
+    }
+
+    std::vector<std::uint32_t> rooms_of_cells() const {
+        std::vector<std::uint32_t> rooms;
+        for (std::size_t i = 0; i < log_odds_.values.size(); ++i) {
+            rooms.push_back(follower_.room_cells().room(log_odds_.cell(i)));
+        }
+        return rooms;
     }
 
     void save_and_load() {
@@ -193,7 +232,12 @@ private:
         require(cells.size() == follower_.num_rooms());
         for (const auto& [id, room] : follower_.followed()) {
             require(cells[id] == room.num_cells && room.num_cells > 0);
-            require(!room.is_locked || locked_cells_.at(id) == room.num_cells);
+            // A locked room keeps its cells.
+            if (room.is_locked) {
+                require(locked_cells_.emplace(id, room.num_cells).first->second == room.num_cells);
+            } else {
+                locked_cells_.erase(id);
+            }
         }
         require(follower_.map().leaves().size() == follower_.map().num_leaves());
     }
@@ -204,6 +248,9 @@ private:
     std::map<std::pair<std::int32_t, std::int32_t>, quadcut::FollowedTile> saved_;
     std::set<std::uint32_t> ids_;
     std::map<std::size_t, std::size_t> locked_cells_;
+    std::vector<quadcut::Edit> edits_;
+    /// The rooms of all cells before an edit.
+    std::vector<std::uint32_t> before_;
 };
 
 }  // namespace

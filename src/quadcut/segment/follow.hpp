@@ -8,11 +8,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/edit.hpp"
 #include "quadcut/segment/follow_state.hpp"
 #include "quadcut/segment/local_cut.hpp"
 #include "quadcut/segment/options.hpp"
@@ -70,6 +72,12 @@ struct FollowUpdate {
     std::vector<LifeEvent> events;
 };
 
+/// What an edit did, and what takes it back.
+struct Edited {
+    FollowUpdate update;
+    Edit inverse;
+};
+
 /// Keeps a map and its rooms up to date while a robot explores, with work that does not grow with
 /// the map: the paper's incremental method. Not for use by two threads at once.
 class Follower {
@@ -93,15 +101,22 @@ public:
     std::optional<FollowUpdate> refine();
 
     /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
-    /// does not exist or the edit cannot be made, and say why.
-    void rename(RoomId room, const std::string& name);
+    /// does not exist or the edit cannot be made, and say why. A name is trimmed_room_name()'s,
+    /// and no other room's.
+    Edited rename(RoomId room, std::string_view name);
     /// `other` becomes part of `room`, which it touches; what is one stays one.
-    FollowUpdate merge(RoomId room, RoomId other);
-    /// Cuts the room between two points of the map frame, near walls or at them, in two of which
-    /// the larger keeps its id; the line stays a cut. Returns the new room's id in the event.
-    FollowUpdate split(const Point& from, const Point& to);
+    Edited merge(RoomId room, RoomId other);
+    /// Cuts the room that most of a line between two points of the map frame lies in, from wall to
+    /// wall, in two of which the larger keeps its id; the line stays a cut. A wall may be nearer
+    /// than the points, or a metre farther. What cannot be cut is refused with the nearest line
+    /// that can, within 3 m.
+    Edited split(const Point& from, const Point& to);
     /// The room keeps its cells, and gets no others.
-    void lock(RoomId room);
+    Edited lock(RoomId room);
+    /// What was seen there meanwhile counts from now on.
+    Edited unlock(RoomId room);
+    /// Makes an edit; the inverse of one takes it back as far as what was seen since allows.
+    Edited apply(const Edit& edit);
 
     [[nodiscard]] const OccupancyMap& map() const { return map_; }
     [[nodiscard]] std::size_t num_scans() const { return num_scans_; }
@@ -128,6 +143,13 @@ private:
         std::vector<std::size_t> num_cells;
         /// 1 + the group of each cell; empty when there is one group only.
         Raster<std::uint32_t> groups;
+    };
+    /// The part of a line that lies in one room and in the walls there; in cells.
+    struct RoomStretch {
+        std::uint32_t room = 0;
+        std::size_t num_cells = 0;
+        Cell first;
+        Cell last;
     };
     /// What the regions of a window and the rooms there were share.
     struct Overlaps {
@@ -179,10 +201,16 @@ private:
     void take_tile(const FollowedTile& tile);
     [[nodiscard]] std::uint32_t existing(RoomId room) const;
     void add_split_line(const SplitLine& line);
-    void remove_split_lines_between(std::uint32_t room, std::uint32_t other);
-    /// What an edit did, as an update.
-    [[nodiscard]] FollowUpdate by_hand(RoomLife life, std::uint32_t room,
-                                       std::uint32_t other) const;
+    [[nodiscard]] std::vector<SplitLine> take_split_lines(const Edit& edit);
+    /// An edit that leaves a room as it is.
+    [[nodiscard]] Edit edit_of(RoomId room) const;
+    void part(const Edit& edit, Edited& done);
+    void join(const Edit& edit, Edited& done);
+    [[nodiscard]] std::uint32_t holder_of_part(const Edit& edit) const;
+    void catch_up(std::uint32_t room, FollowUpdate& update);
+    [[nodiscard]] Raster<std::uint8_t> mask_of(std::uint32_t room) const;
+    [[nodiscard]] std::uint32_t nearest_room(Cell to) const;
+    [[nodiscard]] RoomStretch stretch_of(const Point& from, const Point& to) const;
     void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;
 
     FollowOptions options_;

@@ -3,27 +3,28 @@
 // What people change in followed rooms.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/flood.hpp"
 #include "quadcut/segment/follow.hpp"
+#include "quadcut/segment/room_name.hpp"
 #include "quadcut/segment/split_line.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kMaxNameBytes = 200;
+const std::array<Cell, 4> kBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-std::string text_of(const Point& point) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "(%.2f, %.2f)", point.x, point.y);
-    return text.data();
+std::string name_of(RoomId room) { return "room " + std::to_string(index(room)); }
+
+std::pair<std::int32_t, std::int32_t> tile_at(Cell cell) {
+    return {tile_of(cell).x, tile_of(cell).y};
 }
 
-const std::array<Cell, 4> kBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+std::uint64_t bit_of(Cell cell) { return std::uint64_t{1} << place_in_tile(cell); }
 
 /// Calls visit(cell) for the cells of a room.
 template <typename Visit>
@@ -35,128 +36,244 @@ void for_each_cell(const RoomCells& cells, std::uint32_t room, const Box& box, c
     }
 }
 
+/// The largest connected part of the cells with a value keeps it, the others get another.
+void keep_largest(Raster<std::uint8_t>& mask, std::uint8_t value, std::uint8_t other) {
+    std::vector<bool> seen(mask.values.size(), false);
+    std::vector<std::size_t> largest;
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        if (seen[i] || mask.values[i] != value) continue;
+        std::vector<std::size_t> part =
+            flood(mask, i, seen, Connectivity::four,
+                  [&](std::size_t k) { return mask.values[k] == value; });
+        if (part.size() > largest.size()) part.swap(largest);
+        for (const std::size_t k : part) mask.values[k] = other;
+    }
+}
+
 }  // namespace
 
 std::uint32_t Follower::existing(RoomId room) const {
     const auto number = static_cast<std::uint32_t>(room);
     if (rooms_.count(number) == 0) {
-        throw InputError("there is no room " + std::to_string(number) + ": expected one of the " +
+        throw InputError("there is no " + name_of(room) + ": expected one of the " +
                          std::to_string(rooms_.size()) + " rooms that there are");
     }
     return number;
 }
 
-void Follower::rename(RoomId room, const std::string& name) {
-    const std::uint32_t number = existing(room);
-    const bool is_printable = std::none_of(name.begin(), name.end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    });
-    if (name.empty() || name.size() > kMaxNameBytes || !is_printable) {
-        throw InputError("a room's name has 1 to 200 bytes and no control characters");
-    }
-    rooms_.at(number).name = name;
+Edit Follower::edit_of(RoomId room) const {
+    Edit edit;
+    edit.room = room;
+    edit.settings[static_cast<std::uint32_t>(room)] = rooms_.at(existing(room));
+    return edit;
 }
 
-FollowUpdate Follower::merge(RoomId room, RoomId other) {
-    const std::uint32_t into = existing(room);
-    const std::uint32_t from = existing(other);
-    if (into == from) throw InputError("a room cannot be merged with itself");
-    if (rooms_.at(into).is_locked || rooms_.at(from).is_locked) {
+Edited Follower::rename(RoomId room, std::string_view name) {
+    Edit edit = edit_of(room);
+    RoomSettings& settings = edit.settings.begin()->second;
+    settings.name = trimmed_room_name(name);
+    RoomId owner = room_with_default_name(settings.name);
+    for (const auto& [id, other] : rooms_) {
+        if (other.name == settings.name) owner = RoomId{id};
+    }
+    if (owner != RoomId{} && owner != room) {
+        throw InputError("'" + settings.name + "' is the name of " + name_of(owner) +
+                         ": expected one that no other room has");
+    }
+    return apply(edit);
+}
+
+Edited Follower::merge(RoomId room, RoomId other) {
+    Edit edit = edit_of(room);
+    edit.other = other;
+    edit.border = Edit::Border::join;
+    if (room == other) throw InputError("a room cannot be merged with itself");
+    std::uint32_t& group = edit.settings.begin()->second.merge_group;
+    if (group == 0) group = static_cast<std::uint32_t>(room);
+    const std::uint32_t other_group = rooms_.at(existing(other)).merge_group;
+    for (const auto& [id, followed] : rooms_) {
+        if (other_group == 0 || followed.merge_group != other_group || RoomId{id} == other)
+            continue;
+        edit.settings[id] = followed;
+        edit.settings[id].merge_group = group;
+    }
+    return apply(edit);
+}
+
+Edited Follower::lock(RoomId room) {
+    Edit edit = edit_of(room);
+    if (std::exchange(edit.settings.begin()->second.is_locked, true)) {
+        throw InputError(name_of(room) + " is locked already");
+    }
+    return apply(edit);
+}
+
+Edited Follower::unlock(RoomId room) {
+    Edit edit = edit_of(room);
+    if (!std::exchange(edit.settings.begin()->second.is_locked, false)) {
+        throw InputError(name_of(room) + " is not locked");
+    }
+    return apply(edit);
+}
+
+Edited Follower::apply(const Edit& edit) {
+    static_cast<void>(existing(edit.room));
+    Edited done;
+    done.inverse.room = edit.room;
+    done.inverse.other = edit.other;
+    for (const auto& [id, settings] : edit.settings) {
+        if (rooms_.count(id) != 0) done.inverse.settings[id] = rooms_.at(id);
+    }
+    if (edit.border == Edit::Border::part) part(edit, done);
+    if (edit.border == Edit::Border::join) join(edit, done);
+    for (const auto& [id, settings] : edit.settings) {
+        const auto room = rooms_.find(id);
+        if (room == rooms_.end()) continue;
+        const bool is_unlocked = room->second.is_locked && !settings.is_locked;
+        static_cast<RoomSettings&>(room->second) = settings;
+        if (is_unlocked) catch_up(id, done.update);
+    }
+    done.update.scan = num_scans_;
+    done.update.num_rooms = rooms_.size();
+    done.update.num_leaves = map_.num_leaves();
+    return done;
+}
+
+void Follower::join(const Edit& edit, Edited& done) {
+    const std::uint32_t into = existing(edit.room);
+    const std::uint32_t from = existing(edit.other);
+    FollowedRoom& whole = rooms_.at(into);
+    const FollowedRoom& ended = rooms_.at(from);
+    if (whole.is_locked || ended.is_locked) {
         throw InputError("one of the rooms is locked: it keeps its border");
     }
     bool do_touch = false;
-    const Box box = rooms_.at(from).box;
-    for_each_cell(cells_, from, box, [&](Cell cell) {
+    for_each_cell(cells_, from, ended.box, [&](Cell cell) {
+        done.inverse.cells[tile_at(cell)] |= bit_of(cell);
         do_touch = do_touch || std::any_of(kBeside.begin(), kBeside.end(), [&](Cell step) {
                        return cells_.room({cell.x + step.x, cell.y + step.y}) == into;
                    });
     });
-    if (!do_touch) {
+    if (into == from || !do_touch) {
         throw InputError("rooms " + std::to_string(into) + " and " + std::to_string(from) +
                          " do not touch: a room is connected");
     }
-    remove_split_lines_between(into, from);
-    for_each_cell(cells_, from, box, [&](Cell cell) { cells_.set_room(cell, into); });
-    FollowedRoom& whole = rooms_.at(into);
-    const FollowedRoom& part = rooms_.at(from);
-    whole.num_cells += part.num_cells;
-    whole.peak_m = std::max(whole.peak_m, part.peak_m);
-    whole.box.include(part.box);
-    const std::uint32_t group = whole.merge_group != 0 ? whole.merge_group : into;
-    const std::uint32_t other_group = part.merge_group;
-    whole.merge_group = group;
-    whole.announced_m2 += part.announced_m2;
+    done.inverse.border = Edit::Border::part;
+    done.inverse.settings[from] = ended;
+    done.inverse.lines = take_split_lines(edit);
+    for_each_cell(cells_, from, ended.box, [&](Cell cell) { cells_.set_room(cell, into); });
+    whole.num_cells += ended.num_cells;
+    whole.peak_m = std::max(whole.peak_m, ended.peak_m);
+    whole.box.include(ended.box);
+    whole.announced_m2 += ended.announced_m2;
     rooms_.erase(from);
-    for (auto& [id, followed] : rooms_) {
-        if (other_group != 0 && followed.merge_group == other_group) followed.merge_group = group;
-    }
-    return by_hand(RoomLife::merged, from, into);
+    done.update.events.push_back({RoomLife::merged, edit.other, edit.room, "by hand"});
 }
 
-FollowUpdate Follower::split(const Point& from, const Point& to) {
-    // Throws for points that are nowhere.
-    static_cast<void>(map_.cell_at(from));
-    static_cast<void>(map_.cell_at(to));
-    const Point middle{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
-    const std::uint32_t number = cells_.room(map_.cell_at(middle));
-    if (number == 0) {
-        throw InputError("no room is at " + text_of(middle) + ", the middle of the line");
+/// Of the room and those that were made one with it: where most of the part lies. They may have
+/// come apart since.
+std::uint32_t Follower::holder_of_part(const Edit& edit) const {
+    const auto room = static_cast<std::uint32_t>(edit.room);
+    const std::uint32_t group = rooms_.at(room).merge_group;
+    std::map<std::uint32_t, std::size_t> num_cells;
+    for (const auto& [tile, cells] : edit.cells) {
+        const RoomTile& rooms = cells_.tile({tile.first, tile.second});
+        for (std::size_t i = 0; i < kTileCells; ++i) num_cells[rooms.rooms[i]] += cells >> i & 1;
     }
-    FollowedRoom& room = rooms_.at(number);
-    if (room.is_locked) {
-        throw InputError("room " + std::to_string(number) + " is locked: it keeps its border");
+    std::uint32_t holder = room;
+    for (const auto& [id, count] : num_cells) {
+        const auto found = rooms_.find(id);
+        const bool is_one =
+            found != rooms_.end() && group != 0 && group == found->second.merge_group;
+        if (is_one && count > num_cells[holder]) holder = id;
     }
-    Raster<std::uint8_t> mask(room.box);
-    for_each_cell(cells_, number, room.box, [&](Cell cell) { mask.at(cell) = 1; });
-    const double resolution_m = options_.resolution_m;
-    const auto in_cells = [&](const Point& point) {
-        return Point{point.x / resolution_m, point.y / resolution_m};
-    };
-    const SplitPlan plan = plan_split(mask, in_cells(from), in_cells(to), resolution_m);
-    if (!plan.line) {
-        const auto legal = nearest_split(mask, in_cells(from), in_cells(to), resolution_m);
-        const auto at = [&](Cell cell) {
-            return text_of({(cell.x + 0.5) * resolution_m, (cell.y + 0.5) * resolution_m});
-        };
-        throw InputError(
-            "room " + std::to_string(number) + " cannot be cut there: " + plan.reason +
-            (legal ? "; the nearest cut is from " + at(legal->from) + " to " + at(legal->to)
-                   : "; within 3 m it can be cut nowhere"));
-    }
-    const std::uint32_t part = new_id();
-    add_split_line(*plan.line);
-    FollowedRoom& smaller = rooms_[part];
-    if (room.merge_group != 0) smaller.merge_group = part;
-    smaller.peak_m = room.peak_m;
-    for (const Cell cell : plan.part) {
-        cells_.set_room(cell, part);
-        smaller.box.include({cell, cell});
-    }
-    smaller.num_cells = plan.part.size();
-    room.num_cells -= plan.part.size();
-    const double cell_m2 = resolution_m * resolution_m;
-    smaller.announced_m2 = static_cast<double>(smaller.num_cells) * cell_m2;
-    return by_hand(RoomLife::split, part, number);
+    return holder;
 }
 
-FollowUpdate Follower::by_hand(RoomLife life, std::uint32_t room, std::uint32_t other) const {
-    FollowUpdate update;
-    update.scan = num_scans_;
-    update.num_rooms = rooms_.size();
-    update.num_leaves = map_.num_leaves();
-    update.events.push_back({life, RoomId{room}, RoomId{other}, "by hand"});
-    return update;
+void Follower::part(const Edit& edit, Edited& done) {
+    const auto begun = static_cast<std::uint32_t>(edit.other);
+    if (begun == 0 || begun >= next_id_ || rooms_.count(begun) != 0) {
+        throw InputError("there cannot be a new " + name_of(edit.other));
+    }
+    const std::uint32_t from = holder_of_part(edit);
+    FollowedRoom& whole = rooms_.at(from);
+    if (whole.is_locked)
+        throw InputError(name_of(RoomId{from}) + " is locked: it keeps its border");
+    Raster<std::uint8_t> mask = mask_of(from);
+    constexpr std::uint8_t kPart = 2;
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        const auto tile = edit.cells.find(tile_at(mask.cell(i)));
+        if (mask.values[i] == 0 || tile == edit.cells.end()) continue;
+        if ((tile->second & bit_of(mask.cell(i))) != 0) mask.values[i] = kPart;
+    }
+    keep_largest(mask, 1, kPart);
+    keep_largest(mask, kPart, 1);
+    FollowedRoom part;
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        if (mask.values[i] == kPart) part.box.include({mask.cell(i), mask.cell(i)});
+    }
+    part.num_cells =
+        static_cast<std::size_t>(std::count(mask.values.begin(), mask.values.end(), kPart));
+    const bool is_all = part.num_cells == whole.num_cells;
+    if (part.num_cells == 0 || (is_all && RoomId{from} == edit.room)) {
+        throw InputError("the floor of one of the rooms " + std::to_string(index(edit.room)) +
+                         " and " + std::to_string(begun) + " is not there any more");
+    }
+    part.peak_m = whole.peak_m;
+    part.announced_m2 =
+        static_cast<double>(part.num_cells) * options_.resolution_m * options_.resolution_m;
+    whole.num_cells -= part.num_cells;
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        if (mask.values[i] == kPart) cells_.set_room(mask.cell(i), begun);
+    }
+    if (is_all) rooms_.erase(from);
+    rooms_[begun] = part;
+    for (const SplitLine& line : edit.lines) add_split_line(line);
+    done.inverse.border = Edit::Border::join;
+    done.inverse.lines = edit.lines;
+    done.update.events.push_back({RoomLife::split, edit.other, RoomId{from}, "by hand"});
 }
 
-void Follower::lock(RoomId room) { rooms_.at(existing(room)).is_locked = true; }
+/// Cells of a room that was locked and are not free, or free ones beside it that have no room, are
+/// changes since it was cut.
+void Follower::catch_up(std::uint32_t room, FollowUpdate& update) {
+    MapUpdate change;
+    const Box box = rooms_.at(room).box.grown(1);
+    std::set<std::pair<std::int32_t, std::int32_t>> tiles;
+    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
+        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) {
+            const bool is_free = map_.state(cell) == CellState::free;
+            const std::uint32_t own = cells_.room(cell);
+            const bool is_beside = std::any_of(kBeside.begin(), kBeside.end(), [&](Cell step) {
+                return cells_.room({cell.x + step.x, cell.y + step.y}) == room;
+            });
+            if (is_free ? own != 0 || !is_beside : own != room) continue;
+            cells_.set_cut_free(cell, !is_free);
+            tiles.insert(tile_at(cell));
+        }
+    }
+    for (const auto& [x, y] : tiles) change.written.push_back({x, y});
+    note_changes(change);
+    if (!tiles.empty()) cut_again(0.0, update);
+}
+
+Raster<std::uint8_t> Follower::mask_of(std::uint32_t room) const {
+    const Box& box = rooms_.at(room).box;
+    Raster<std::uint8_t> mask(box);
+    for_each_cell(cells_, room, box, [&](Cell cell) { mask.at(cell) = 1; });
+    return mask;
+}
 
 void Follower::add_split_line(const SplitLine& line) {
     split_lines_.push_back(line);
     for (const Cell cell : cells_of(line)) split_cells_.emplace(cell.y, cell.x);
 }
 
-/// Who merges what was cut by hand takes that cut back: as a wall it would part them again.
-void Follower::remove_split_lines_between(std::uint32_t room, std::uint32_t other) {
+/// Who joins what was cut by hand takes that cut back: as a wall it would part them again.
+std::vector<SplitLine> Follower::take_split_lines(const Edit& edit) {
+    const std::set<std::uint32_t> both{static_cast<std::uint32_t>(edit.room),
+                                       static_cast<std::uint32_t>(edit.other)};
+    std::vector<SplitLine> taken;
     split_cells_.clear();
     for (const SplitLine& line : std::exchange(split_lines_, {})) {
         std::set<std::uint32_t> beside;
@@ -168,8 +285,14 @@ void Follower::remove_split_lines_between(std::uint32_t room, std::uint32_t othe
             }
         }
         beside.erase(0);
-        if (beside != std::set<std::uint32_t>{room, other}) add_split_line(line);
+        const bool is_named = std::count(edit.lines.begin(), edit.lines.end(), line) != 0;
+        if (is_named || beside == both) {
+            taken.push_back(line);
+        } else {
+            add_split_line(line);
+        }
     }
+    return taken;
 }
 
 /// The cells of lines where people cut belong to the room beside them.

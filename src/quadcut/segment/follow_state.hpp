@@ -19,14 +19,18 @@
 
 namespace quadcut {
 
-/// A room that is followed.
-struct FollowedRoom {
-    /// Given by people; empty: the default name.
+/// What people say of a room.
+struct RoomSettings {
+    /// Empty: the default name.
     std::string name;
     /// Not 0: made one by people; rooms of one group that touch are one room.
     std::uint32_t merge_group = 0;
     /// Its cells are its own whatever is seen there.
     bool is_locked = false;
+};
+
+/// A room that is followed.
+struct FollowedRoom : RoomSettings {
     std::size_t num_cells = 0;
     /// The largest clearance that was found in it.
     double peak_m = 0.0;
@@ -44,6 +48,7 @@ struct FollowedRoom {
 struct SplitLine {
     Cell from;
     Cell to;
+    friend bool operator==(const SplitLine&, const SplitLine&) = default;
 };
 
 /// All that is known of one tile.

@@ -19,6 +19,7 @@ namespace {
 constexpr double kSnapM = 1.0;
 /// The line goes on into the wall, which may move a little.
 constexpr double kIntoWallM = 0.2;
+constexpr double kMinLineM = 0.1;
 /// What is smaller and shut off is taken for the inside of furniture.
 constexpr double kMinPartM2 = 4.0;
 constexpr double kSearchM = 3.0;
@@ -31,6 +32,8 @@ bool is_in(const Raster<std::uint8_t>& room, const Point& point) {
     const Cell cell = cell_of(point);
     return room.contains(cell) && room.at(cell) != 0;
 }
+
+Point middle_of(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
 
 /// How far one can go from a point of the room in a direction, cells.
 double free_length(const Raster<std::uint8_t>& room, const Point& from, const Point& direction) {
@@ -72,13 +75,29 @@ std::vector<std::vector<std::size_t>> parts_beside(const Raster<std::uint8_t>& r
     return parts;
 }
 
-/// The line through two points of the room, from wall to wall.
-SplitLine drawn_to_walls(const Raster<std::uint8_t>& room, const Point& middle,
-                         const Point& direction, double into_wall) {
-    const Point back{-direction.x, -direction.y};
-    const Point end = along(middle, direction, free_length(room, middle, direction) + into_wall);
-    const Point begin = along(middle, back, free_length(room, middle, back) + into_wall);
-    return {cell_of(begin), cell_of(end)};
+/// The parts of a line that lie in the room: all of it from the first to the last, walls between
+/// included, then each alone, the longest first.
+std::vector<std::pair<Point, Point>> runs_of(const Raster<std::uint8_t>& room, const Point& from,
+                                             const Point& to) {
+    std::vector<std::pair<double, double>> runs;
+    bool is_inside = false;
+    walk_line(from, to, [&](Cell cell, double t) {
+        const bool is_now = room.contains(cell) && room.at(cell) != 0;
+        if (is_now && !is_inside) runs.emplace_back(t, 1.0);
+        if (!is_now && is_inside) runs.back().second = t;
+        is_inside = is_now;
+        return true;
+    });
+    if (runs.size() > 1) runs.emplace_back(runs.front().first, runs.back().second);
+    std::stable_sort(runs.begin(), runs.end(), [](const auto& p, const auto& q) {
+        return p.second - p.first > q.second - q.first;
+    });
+    std::vector<std::pair<Point, Point>> points;
+    const Point way{to.x - from.x, to.y - from.y};
+    for (const auto& [begin, end] : runs) {
+        points.emplace_back(along(from, way, begin), along(from, way, end));
+    }
+    return points;
 }
 
 /// Why a line that reaches the walls is no cut; fills `part` when it is one.
@@ -105,11 +124,10 @@ std::string check(const Raster<std::uint8_t>& room, const SplitLine& line, doubl
 
 std::vector<Cell> cells_of(const SplitLine& line) {
     std::vector<Cell> cells;
-    walk_line({line.from.x + 0.5, line.from.y + 0.5}, {line.to.x + 0.5, line.to.y + 0.5},
-              [&](Cell cell, double) {
-                  cells.push_back(cell);
-                  return true;
-              });
+    walk_line(middle_of(line.from), middle_of(line.to), [&](Cell cell, double) {
+        cells.push_back(cell);
+        return true;
+    });
     return cells;
 }
 
@@ -117,31 +135,31 @@ SplitPlan plan_split(const Raster<std::uint8_t>& room, const Point& from, const 
                      double resolution_m) {
     SplitPlan plan;
     const double length = distance(from, to);
-    if (length * resolution_m < 0.1) {
-        plan.reason = "the two points are the same";
+    if (length * resolution_m < kMinLineM) {
+        plan.reason = "less than " + metres(kMinLineM) + " of the line are in the room";
         return plan;
     }
-    const Point middle{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
     const Point direction{(to.x - from.x) / length, (to.y - from.y) / length};
     const Point back{-direction.x, -direction.y};
-    if (!is_in(room, middle)) {
-        plan.reason = "the middle of the line is not in the room";
-        return plan;
-    }
-    for (const Point& way : {direction, back}) {
-        const double beyond = free_length(room, middle, way) - length / 2.0;
-        if (beyond * resolution_m < -kSnapM) {
-            plan.reason = "a wall stands between the two points";
-            return plan;
+    for (const auto& [begin, end] : runs_of(room, from, to)) {
+        std::string reason;
+        const double before = free_length(room, begin, back);
+        const double behind = free_length(room, end, direction);
+        const double beyond_m = std::max(before, behind) * resolution_m;
+        const double into_wall = kIntoWallM / resolution_m;
+        const SplitLine line{cell_of(along(begin, back, before + into_wall)),
+                             cell_of(along(end, direction, behind + into_wall))};
+        if (beyond_m > kSnapM) {
+            reason = "the line ends " + metres(beyond_m) + " before a wall: " + metres(kSnapM) +
+                     " at most are drawn on";
+        } else {
+            reason = check(room, line, resolution_m, plan.part);
         }
-        if (beyond * resolution_m <= kSnapM) continue;
-        plan.reason = "the line ends " + metres(beyond * resolution_m) +
-                      " before a wall: " + metres(kSnapM) + " at most are drawn on";
-        return plan;
+        if (reason.empty()) return {line, std::move(plan.part), {}};
+        // What is wrong with the whole line comes first.
+        if (plan.reason.empty()) plan.reason = reason;
     }
-    const SplitLine line = drawn_to_walls(room, middle, direction, kIntoWallM / resolution_m);
-    plan.reason = check(room, line, resolution_m, plan.part);
-    if (plan.reason.empty()) plan.line = line;
+    if (plan.reason.empty()) plan.reason = "the line is not in the room";
     return plan;
 }
 
@@ -170,11 +188,14 @@ std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room, const P
     places.resize(std::min(places.size(), kMaxCellsToSearch / (room.values.size() + 1) + 50));
     for (const auto& [far, place] : places) {
         const Point direction{std::cos(place.second), std::sin(place.second)};
-        const SplitLine line =
-            drawn_to_walls(room, place.first, direction, kIntoWallM / resolution_m);
-        std::vector<Cell> part;
-        if (check(room, line, resolution_m, part).empty()) {
-            return drawn_to_walls(room, place.first, direction, 0.0);
+        const Point back{-direction.x, -direction.y};
+        const auto at_wall = [&](const Point& way) {
+            return cell_of(along(place.first, way, free_length(room, place.first, way)));
+        };
+        const SplitLine line{at_wall(back), at_wall(direction)};
+        // As it will be drawn by whoever takes it.
+        if (plan_split(room, middle_of(line.from), middle_of(line.to), resolution_m).line) {
+            return line;
         }
     }
     return std::nullopt;

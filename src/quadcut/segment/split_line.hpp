@@ -26,12 +26,13 @@ struct SplitPlan {
 [[nodiscard]] std::vector<Cell> cells_of(const SplitLine& line);
 
 /// Cuts the room (1 in `room`) between two points, in cells: the line is drawn on to the walls, if
-/// they are within a metre, and has to leave two parts of 4 m^2 at least. O(cells of the room).
+/// they are within a metre, and has to leave two parts of 4 m^2 at least. Walls that it crosses are
+/// part of it; or else it is what lies between two walls. O(cells of the room).
 [[nodiscard]] SplitPlan plan_split(const Raster<std::uint8_t>& room, const Point& from,
                                    const Point& to, double resolution_m);
 
-/// The nearest place, within 3 m, and direction where the room can be cut so; nothing when there is
-/// none. O(cells of the room) for each of at most some thousand places.
+/// The nearest line between the middles of two cells, within 3 m, where plan_split() cuts the room;
+/// nothing when there is none. O(cells of the room) for each of at most some thousand places.
 [[nodiscard]] std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room,
                                                      const Point& from, const Point& to,
                                                      double resolution_m);

@@ -91,12 +91,9 @@ TEST(Project, EditsAreRowsThatStay) {
         Follower follower = project.follower();
         follower.update_cells(test::bare_hall());
         const RoomId hall = follower.room_at({9.0, 3.0});
-        follower.rename(hall, "Hall");
-        project.add(EditRecord{"rename", hall, {}, "Hall", {}});
-        const FollowUpdate split = follower.split({4.0, 1.0}, {4.0, 5.0});
-        project.add(split, "");
-        project.add(EditRecord{"split", hall, split.events.front().room, "",
-                               follower.split_lines().back()});
+        project.add({"rename", hall, {}, "Hall", {}}, follower.rename(hall, "Hall"));
+        const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
+        project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
         project.save(follower, some_log());
     }
     const Project project(path, Access::read);
@@ -115,19 +112,21 @@ TEST(Project, WhatIsNoProjectIsRefused) {
         return error_of([&] { Project(path, Access::write); });
     };
     EXPECT_THAT(open(folder.path() / "none"), HasSubstr("none: there is no such project file"));
-    EXPECT_THAT(open(folder.path()), HasSubstr("there is no such project file"));
+    EXPECT_THAT(open(folder.path()), HasSubstr("is a folder: expected a project file"));
     EXPECT_THAT(open(folder.write("empty", "")), HasSubstr("empty: is no project file"));
     EXPECT_THAT(open(folder.write("text", std::string(5000, 'x'))),
                 HasSubstr("text: is no project file"));
-    Database::create(folder.path() / "other").run("CREATE TABLE t(x)");
+    Database other = Database::in_memory(folder.path() / "other");
+    other.run("CREATE TABLE t(x)");
+    folder.write("other", other.file_bytes());
     EXPECT_THAT(open(folder.path() / "other"), HasSubstr("other: is no project file"));
     const auto path = folder.path() / "p.quadcut";
     static_cast<void>(Project::create(path, {}, some_log()));
     EXPECT_EQ(open(path), "no error");
     Database(path, Access::write).run("CREATE TABLE extra(x)");
     EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=2");
-    EXPECT_THAT(open(path), HasSubstr("format version 2: expected 1; a newer quadcut"));
+    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=3");
+    EXPECT_THAT(open(path), HasSubstr("format version 3: expected 1 to 2; a newer quadcut"));
 }
 
 TEST(Project, RowsThatCannotBeAreRefused) {

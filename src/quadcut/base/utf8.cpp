@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "io/utf8.hpp"
+#include "quadcut/base/utf8.hpp"
 
 #include <array>
 #include <bit>
 #include <cstddef>
 
-namespace quadcut::io {
+namespace quadcut {
 namespace {
 
 constexpr unsigned kBitsPerContinuation = 6;
@@ -61,4 +61,4 @@ void append_utf8(std::string& text, char32_t code_point) {
     }
 }
 
-}  // namespace quadcut::io
+}  // namespace quadcut
