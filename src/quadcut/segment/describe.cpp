@@ -3,10 +3,12 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/map/enclosed_patches.hpp"
 #include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut {
@@ -14,6 +16,11 @@ namespace {
 
 constexpr double kCorridorMinElongation = 3.5;
 constexpr double kCorridorMaxWidthM = 4.5;
+/// So long, and so long for its usual width, a room is a passage, be there a lobby in it or no
+/// door.
+constexpr double kPassageMinElongation = 10.0;
+constexpr double kPassageMinLengthM = 15.0;
+constexpr double kPassageMaxWidthM = 6.0;
 constexpr double kHallMinAreaM2 = 80.0;
 constexpr std::size_t kRowsPerChunk = 64;
 
@@ -51,12 +58,10 @@ struct Shape {
     float depth_m = -1.0F;
 };
 
-std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
-                                  const GridMap& map, const Layout& layout,
-                                  const Executor& executor, Raster<float> memory) {
-    const Raster<float> depth = clearance_m(interior_of_regions(labels, executor), map.resolution_m,
-                                            executor, std::move(memory));
-    auto shapes = tally_by_label<Shape>(
+std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, const GridMap& map,
+                                  const Layout& layout, const Raster<float>& depth,
+                                  const Executor& executor) {
+    return tally_by_label<Shape>(
         labels, executor,
         [&](Shape& shape, const LabelRun& run) {
             const Cell first = labels.cell(run.offset);
@@ -83,17 +88,100 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint
                 shape.deepest = other.deepest;
             }
         });
-    shapes.resize(count + std::size_t{1});
-    return shapes;
 }
 
-/// A corridor is long for its width and leads somewhere; a hall is large.
-RoomKind kind_of(const Shape& shape, double area_m2, double resolution_m, std::size_t num_doors) {
-    const double width_m = 2.0 * (static_cast<double>(shape.depth_m) + resolution_m);
-    const double elongation = area_m2 / (width_m * width_m);
-    if (elongation >= kCorridorMinElongation && width_m <= kCorridorMaxWidthM && num_doors >= 2) {
-        return RoomKind::corridor;
+/// A region and what stands in it: how far its cells are from its outer border.
+struct Outline {
+    std::size_t num_cells = 0;
+    double sum_depth_m = 0.0;
+    float max_depth_m = 0.0F;
+
+    void add(const float* depths, std::size_t count) {
+        // Four at a time: each sum waits for the one before.
+        std::array<double, 4> sums{};
+        std::size_t i = 0;
+        for (; i + 4 <= count; i += 4) {
+            for (std::size_t k = 0; k < 4; ++k) sums[k] += static_cast<double>(depths[i + k]);
+        }
+        for (; i < count; ++i) sums[0] += static_cast<double>(depths[i]);
+        num_cells += count;
+        sum_depth_m += (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        max_depth_m = largest(depths, count, max_depth_m);
     }
+};
+
+/// Makes furniture, and the cells around it that only it made a border, part of the inside.
+void fill_furniture(const Raster<std::uint32_t>& labels,
+                    const EnclosedPatches<std::uint32_t>& furniture,
+                    Raster<std::uint8_t>& interior) {
+    const auto width = static_cast<std::size_t>(labels.width);
+    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t) {
+        std::fill_n(&interior.values[first], run.end - run.begin, std::uint8_t{1});
+    });
+    const auto belongs = [&](std::size_t place, std::uint32_t room) {
+        const std::uint32_t label = labels.values[place];
+        return label == room || (label == 0 && interior.values[place] != 0);
+    };
+    const auto fill = [&](std::size_t place, std::uint32_t room) {
+        if (labels.values[place] != room) return;
+        const Cell cell = labels.cell(place);
+        if (cell.x == 0 || cell.y == 0 || cell.x + 1 == labels.width ||
+            cell.y + 1 == labels.height) {
+            return;
+        }
+        const bool is_inside = belongs(place - 1, room) && belongs(place + 1, room) &&
+                               belongs(place - width, room) && belongs(place + width, room);
+        if (is_inside) interior.values[place] = 1;
+    };
+    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
+        const std::size_t end = first + (run.end - run.begin);
+        fill(first - 1, room);
+        fill(end, room);
+        for (std::size_t place = first; place < end; ++place) {
+            fill(place - width, room);
+            fill(place + width, room);
+        }
+    });
+}
+
+/// `interior` of the regions; `memory` as of clearance_m().
+std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& labels,
+                                      Raster<std::uint8_t> interior, double resolution_m,
+                                      const Executor& executor, Raster<float> memory) {
+    const EnclosedPatches<std::uint32_t> furniture = enclosed_patches(
+        labels, [](std::uint32_t label) { return label != 0; }, max_furniture_cells(resolution_m),
+        executor);
+    fill_furniture(labels, furniture, interior);
+    const Raster<float> depth = clearance_m(interior, resolution_m, executor, std::move(memory));
+    auto outlines = tally_by_label<Outline>(
+        labels, executor,
+        [&](Outline& outline, const LabelRun& run) {
+            outline.add(&depth.values[run.offset], run.num_cells);
+        },
+        [](Outline& outline, const Outline& other) {
+            outline.num_cells += other.num_cells;
+            outline.sum_depth_m += other.sum_depth_m;
+            outline.max_depth_m = std::max(outline.max_depth_m, other.max_depth_m);
+        });
+    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
+        outlines[room].add(&depth.values[first], run.end - run.begin);
+    });
+    return outlines;
+}
+
+/// A corridor is long for its width and leads somewhere, or is very long; a hall is large.
+RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_doors) {
+    const auto num_cells = static_cast<double>(outline.num_cells);
+    const double area_m2 = num_cells * resolution_m * resolution_m;
+    const double widest_m = 2.0 * (static_cast<double>(outline.max_depth_m) + resolution_m);
+    // Between parallel walls, cells are a quarter of the width from them in the mean.
+    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_cells + resolution_m);
+    const bool leads_on = num_doors >= 2 && widest_m <= kCorridorMaxWidthM &&
+                          area_m2 >= kCorridorMinElongation * widest_m * widest_m;
+    const double length_m = area_m2 / usual_width_m;
+    const bool is_passage = usual_width_m <= kPassageMaxWidthM && length_m >= kPassageMinLengthM &&
+                            length_m >= kPassageMinElongation * usual_width_m;
+    if (leads_on || is_passage) return RoomKind::corridor;
     return area_m2 >= kHallMinAreaM2 ? RoomKind::hall : RoomKind::room;
 }
 
@@ -106,38 +194,6 @@ std::string default_name(RoomKind kind, RoomId id) {
     return word + std::to_string(index(id));
 }
 
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layout& layout,
-                                      const Executor& executor) {
-    struct First {
-        Cell cell;
-        std::uint32_t label = 0;
-        bool operator<(const First& other) const {
-            if ((label == 0) != (other.label == 0)) return label != 0;
-            return std::pair{-cell.y, cell.x} < std::pair{-other.cell.y, other.cell.x};
-        }
-    };
-    std::vector<First> firsts = tally_by_label<First>(
-        labels, executor,
-        [&](First& first, const LabelRun& run) {
-            // Of a run one end or the other comes first, however it is turned.
-            for (const std::size_t end : {run.offset, run.offset + run.num_cells - 1}) {
-                const First own{layout.source(labels.cell(end)), labels.values[end]};
-                if (own < first) first = own;
-            }
-        },
-        [](First& first, const First& other) {
-            if (other < first) first = other;
-        });
-    std::vector<std::uint32_t> number(firsts.size(), 0);
-    std::sort(firsts.begin(), firsts.end());
-    std::uint32_t count = 0;
-    for (const First& first : firsts) {
-        if (first.label != 0) number[first.label] = ++count;
-    }
-    renumber(labels, number, executor);
-    return count;
-}
-
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                  const GridMap& map, const Layout& layout,
                                  const std::vector<Door>& doors, const Executor& executor,
@@ -147,8 +203,13 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         ++num_doors[index(door.a)];
         ++num_doors[index(door.b)];
     }
-    const std::vector<Shape> shapes =
-        measure_shapes(labels, count, map, layout, executor, std::move(memory));
+    Raster<std::uint8_t> interior = interior_of_regions(labels, executor);
+    Raster<float> depth = clearance_m(interior, map.resolution_m, executor, std::move(memory));
+    std::vector<Shape> shapes = measure_shapes(labels, map, layout, depth, executor);
+    std::vector<Outline> outlines =
+        measure_outlines(labels, std::move(interior), map.resolution_m, executor, std::move(depth));
+    shapes.resize(count + std::size_t{1});
+    outlines.resize(count + std::size_t{1});
     const LaidOutFrame frame{layout, map.resolution_m, map.map_from_image};
     std::vector<Room> rooms;
     rooms.reserve(count);
@@ -158,7 +219,7 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         Room room;
         room.id = RoomId{id};
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
-        room.kind = kind_of(shape, room.area_m2, map.resolution_m, num_doors[id]);
+        room.kind = kind_of(outlines[id], map.resolution_m, num_doors[id]);
         room.name = default_name(room.kind, room.id);
         room.centroid = frame.in_map({shape.sum_x / num_cells, shape.sum_y / num_cells});
         room.label_point = frame.in_map({shape.deepest.x + 0.5, shape.deepest.y + 0.5});
