@@ -10,7 +10,9 @@
 #include <optional>
 #include <utility>
 
+#include "io/callouts.hpp"
 #include "io/floor_cells.hpp"
+#include "io/label_spots.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/room_places.hpp"
@@ -181,35 +183,163 @@ BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms, const Exec
     return floor;
 }
 
-/// Beside the furniture where that does not make letters much smaller, on it where it does.
-void place_labels(const FloorCells& cells, const std::vector<Room>& rooms,
-                  const CellsFromMap& cells_from_map, const Layout& layout,
-                  const Executor& executor, FloorPlan& plan) {
-    constexpr double kWorthIt = 0.75;
-    const Typeface typeface;
-    // Of larger maps, a page shows no furniture that letters could stand on.
-    constexpr std::size_t kMostCells = std::size_t{1} << 25U;
-    std::optional<BareFloor> bare;
-    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size(), executor);
-    const double unit = layout.unit * letter_scale(rooms.size());
-    std::vector<std::optional<RoomLabel>> labels(rooms.size());
-    const auto place = [&](std::size_t i) {
-        LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name, plan.rooms[i].area,
-                       cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)};
-        labels[i] = place_label(text, cells.ground, layout.scale, unit, typeface);
-        if (!labels[i] || !bare) return;
-        text.label_point = bare->inner_points[i];
-        auto beside = place_label(text, bare->ground, layout.scale, unit, typeface);
-        const bool worth_it = beside && beside->name.size >= kWorthIt * labels[i]->name.size &&
-                              (beside->area || !labels[i]->area);
-        if (worth_it) labels[i] = std::move(beside);
-    };
-    parallel_for(executor, rooms.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) place(i);
-    });
-    for (std::optional<RoomLabel>& label : labels) {
-        if (label) plan.labels.push_back(std::move(*label));
+/// Places the names of rooms, and where there is no space for one, the number.
+class Lettering {
+public:
+    Lettering(const FloorCells& cells, const std::vector<Room>& rooms,
+              const CellsFromMap& cells_from_map, const Layout& layout, const FloorPlan& plan,
+              const Executor& executor)
+        : ground_(cells.ground),
+          rooms_(rooms),
+          cells_from_map_(cells_from_map),
+          scale_(layout.scale),
+          unit_(layout.unit * letter_scale(rooms.size())),
+          number_unit_(std::max(kNumberScale * unit_, kLeastNumberUnit)),
+          plan_(plan),
+          executor_(executor) {
+        // Of larger maps, a page shows no furniture that letters could stand on.
+        constexpr std::size_t kMostCells = std::size_t{1} << 25U;
+        if (ground_.values.size() <= kMostCells) bare_ = clear_floor(cells, rooms.size(), executor);
     }
+
+    [[nodiscard]] std::vector<RoomLabel> place() const {
+        std::vector<std::optional<RoomLabel>> found(rooms_.size());
+        for_each(found.size(), [&](std::size_t i) { found[i] = name_in_middle(i); });
+        std::vector<std::uint16_t> cramped;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (!found[i]) cramped.push_back(static_cast<std::uint16_t>(i + 1));
+        }
+        const auto spots = find_label_spots(ground_, cramped, executor_);
+        for_each(cramped.size(), [&](std::size_t k) {
+            found[cramped[k] - 1U] = name_or_number(cramped[k] - 1U, spots[k]);
+        });
+        std::vector<RoomLabel> labels;
+        std::vector<CrampedRoom> numbers;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (found[i]) labels.push_back(std::move(*found[i]));
+        }
+        for (std::size_t k = 0; k < cramped.size(); ++k) {
+            const std::size_t i = cramped[k] - 1U;
+            if (found[i]) continue;
+            const Point at =
+                spots[k].empty() ? cells_from_map_(rooms_[i].label_point) : spots[k][0];
+            numbers.push_back({cramped[k], number_of(i), at});
+        }
+        const CalloutPage page{static_cast<double>(plan_.page_width),
+                               static_cast<double>(plan_.page_height), kCalloutSize * number_unit_};
+        for (RoomLabel& label : place_callouts(numbers, labels, ground_, scale_, page, typeface_)) {
+            labels.push_back(std::move(label));
+        }
+        return labels;
+    }
+
+private:
+    /// Numbers may be smaller than names, but not too small to be read.
+    static constexpr double kNumberScale = 0.75;
+    static constexpr double kLeastNumberUnit = 0.7;
+    static constexpr double kCalloutSize = 16.0;
+
+    template <typename Body>
+    void for_each(std::size_t count, const Body& body) const {
+        parallel_for(executor_, count, 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) body(i);
+        });
+    }
+    [[nodiscard]] std::string number_of(std::size_t i) const {
+        return std::to_string(index(rooms_[i].id));
+    }
+    /// Beside the furniture where that does not make letters much smaller, on it where it does.
+    [[nodiscard]] std::optional<RoomLabel> name_in_middle(std::size_t i) const {
+        constexpr double kWorthIt = 0.75;
+        LabelText text{static_cast<std::uint32_t>(i + 1), plan_.rooms[i].name, plan_.rooms[i].area,
+                       cells_from_map_(rooms_[i].label_point), cells_from_map_(rooms_[i].centroid)};
+        auto label = place_label(text, ground_, scale_, unit_, typeface_);
+        if (!label || !bare_) return label;
+        text.label_point = bare_->inner_points[i];
+        auto beside = place_label(text, bare_->ground, scale_, unit_, typeface_);
+        const bool worth_it = beside && beside->name.size >= kWorthIt * label->name.size &&
+                              (beside->area || !label->area);
+        return worth_it ? beside : label;
+    }
+    /// The largest name at one of the spots, or else the largest number.
+    [[nodiscard]] std::optional<RoomLabel> name_or_number(std::size_t i,
+                                                          const std::vector<Point>& spots) const {
+        auto label = largest_at(i, plan_.rooms[i].name, unit_, spots);
+        return label ? label : largest_at(i, number_of(i), number_unit_, spots);
+    }
+    [[nodiscard]] std::optional<RoomLabel> largest_at(std::size_t i, const std::string& name,
+                                                      double unit,
+                                                      const std::vector<Point>& spots) const {
+        std::optional<RoomLabel> largest;
+        for (const Point& spot : spots) {
+            const LabelText text{static_cast<std::uint32_t>(i + 1), name, "", spot, spot};
+            auto label = place_label(text, ground_, scale_, unit, typeface_);
+            if (label && (!largest || label->name.size > largest->name.size)) {
+                largest = std::move(label);
+            }
+        }
+        return largest;
+    }
+
+    const Raster<std::uint16_t>& ground_;
+    const std::vector<Room>& rooms_;
+    const CellsFromMap& cells_from_map_;
+    PageScale scale_;
+    double unit_;
+    double number_unit_;
+    const FloorPlan& plan_;
+    const Executor& executor_;
+    std::optional<BareFloor> bare_;
+    Typeface typeface_;
+};
+
+constexpr double kLegendSize = 16.0;
+constexpr double kLeastLegendSize = 11.0;
+
+/// Beside the map: the rooms that have only their numbers in it. The page becomes wider.
+void add_room_legend(const Layout& layout, FloorPlan& plan) {
+    const double size = std::max(kLegendSize * layout.unit, kLeastLegendSize);
+    std::vector<LegendLine> lines;
+    std::vector<const RoomLabel*> labels;
+    for (const RoomLabel& label : plan.labels) {
+        if (label.name.text != plan.rooms[label.room - 1].name) labels.push_back(&label);
+    }
+    std::sort(labels.begin(), labels.end(),
+              [](const RoomLabel* p, const RoomLabel* q) { return p->room < q->room; });
+    for (const RoomLabel* label : labels) {
+        const DrawnRoom& room = plan.rooms[label->room - 1];
+        lines.push_back({room.color,
+                         mixed(room.color, kWallInk, kBorderShare),
+                         label->name.text + "  " + room.name + ", " + room.area,
+                         {},
+                         size});
+    }
+    if (lines.empty()) return;
+    const double margin = plan.drawing_origin.x;
+    const Point corner{static_cast<double>(plan.page_width), margin};
+    const double width = set_in_columns(lines, corner, plan.page_height - 2.0 * margin, Typeface());
+    plan.page_width += static_cast<std::int32_t>(std::ceil(width + margin));
+    std::move(lines.begin(), lines.end(), std::back_inserter(plan.legend));
+}
+
+/// Beside the scale bar: what is drawn that has no name.
+void add_key(FloorPlan& plan) {
+    const Typeface typeface;
+    const ScaleBar& bar = plan.scale_bar;
+    Point left{bar.text_left().x + typeface.width(bar.text, bar.text_size), bar.origin.y};
+    const auto add = [&](Rgb ink, Rgb border_ink, std::string text) {
+        left.x += 2.0 * bar.text_size;
+        LegendLine line{ink, border_ink, std::move(text), left, bar.text_size};
+        left.x += width_of(line, typeface);
+        plan.legend.push_back(std::move(line));
+    };
+    if (!plan.furniture.empty() || !plan.furniture_insides.empty()) {
+        add(kFurnitureInsideInk, kFurnitureInk, "furniture");
+    }
+    if (!plan.doors.empty()) add(kDoorInk, kPaper, "door");
+    const double margin = plan.drawing_origin.x;
+    plan.page_width =
+        std::max(plan.page_width, static_cast<std::int32_t>(std::ceil(left.x + margin)));
 }
 
 }  // namespace
@@ -239,6 +369,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     plan.frame = cells.ground.box();
     plan.border_width = 1.6 * layout.unit;
     plan.door_width = 5.0 * layout.unit;
+    plan.leader_width = 1.4 * layout.unit;
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
         const Room& room = segmentation.rooms[i];
         plan.rooms.push_back({room.id,
@@ -259,9 +390,18 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    place_labels(cells, segmentation.rooms, cells_from_map, layout, executor, plan);
+    plan.labels =
+        Lettering(cells, segmentation.rooms, cells_from_map, layout, plan, executor).place();
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
+    add_room_legend(layout, plan);
+    add_key(plan);
     return plan;
+}
+
+void FloorPlan::remove_text() {
+    labels.clear();
+    legend.clear();
+    scale_bar.length = 0.0;
 }
 
 FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
@@ -278,6 +418,7 @@ FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
     plan.pixels_per_half_cell *= factor;
     plan.border_width *= factor;
     plan.door_width *= factor;
+    plan.leader_width *= factor;
     for (DrawnDoor& door : plan.doors) {
         place(door.from);
         place(door.to);
@@ -285,6 +426,13 @@ FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
     for (RoomLabel& label : plan.labels) {
         place_text(label.name);
         if (label.area) place_text(*label.area);
+        if (!label.leader) continue;
+        place(label.leader->from);
+        place(label.leader->to);
+    }
+    for (LegendLine& line : plan.legend) {
+        place(line.left);
+        line.size *= factor;
     }
     place(plan.scale_bar.origin);
     plan.scale_bar.length *= factor;
