@@ -7,18 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <utility>
 
-#include "io/callouts.hpp"
 #include "io/floor_cells.hpp"
-#include "io/label_spots.hpp"
+#include "io/lettering.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
-#include "quadcut/map/clearance.hpp"
-#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -33,14 +29,6 @@ struct Layout {
     /// Scales line widths and letters.
     double unit = 1.0;
 };
-
-/// Few rooms leave space for larger letters.
-double letter_scale(std::size_t num_rooms) {
-    constexpr double kManyRooms = 24.0;
-    constexpr double kLargest = 1.5;
-    const double rooms = std::max<double>(static_cast<double>(num_rooms), 1.0);
-    return std::clamp(std::sqrt(std::sqrt(kManyRooms / rooms)), 1.0, kLargest);
-}
 
 /// Sets the page's size, and where cells come to lie on it.
 Layout set_page(const Raster<std::uint16_t>& ground, FloorPlan& plan) {
@@ -101,6 +89,21 @@ void draw_cells(const FloorCells& cells, const Executor& executor, FloorPlan& pl
     }
 }
 
+/// A point of the map frame in cells.
+class CellsFromMap {
+public:
+    explicit CellsFromMap(const GridMap& map)
+        : image_from_map_(inverse(map.map_from_image)), resolution_m_(map.resolution_m) {}
+    [[nodiscard]] Point operator()(const Point& point) const {
+        const Point metres = transform(image_from_map_, point);
+        return {metres.x / resolution_m_, metres.y / resolution_m_};
+    }
+
+private:
+    Pose image_from_map_;
+    double resolution_m_;
+};
+
 /// 1, 2 or 5 times a power of ten metres, about a fifth of the page.
 ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resolution_m) {
     constexpr double kShareOfPage = 0.2;
@@ -120,181 +123,25 @@ ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resol
     return bar;
 }
 
-/// A point of the map frame in cells.
-class CellsFromMap {
-public:
-    explicit CellsFromMap(const GridMap& map)
-        : image_from_map_(inverse(map.map_from_image)), resolution_m_(map.resolution_m) {}
-    [[nodiscard]] Point operator()(const Point& point) const {
-        const Point metres = transform(image_from_map_, point);
-        return {metres.x / resolution_m_, metres.y / resolution_m_};
+/// What is to be said of each room, and where.
+std::vector<RoomWords> words_for(const std::vector<Room>& rooms, const FloorPlan& plan,
+                                 const CellsFromMap& cells_from_map) {
+    std::vector<RoomWords> words;
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        words.push_back({plan.rooms[i].name, plan.rooms[i].area, std::to_string(index(rooms[i].id)),
+                         cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)});
     }
-
-private:
-    Pose image_from_map_;
-    double resolution_m_;
-};
-
-/// The rooms without what furniture stands on, and of each room the point farthest from all
-/// obstacles, in cells.
-struct BareFloor {
-    Raster<std::uint16_t> ground;
-    std::vector<Point> inner_points;
-};
-
-/// The cell farthest from all obstacles; of several, the first.
-struct Innermost {
-    float clearance = 0.0F;
-    std::size_t place = 0;
-};
-
-BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms, const Executor& executor) {
-    BareFloor floor{cells.ground, std::vector<Point>(num_rooms)};
-    Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
-    constexpr std::size_t kCells = std::size_t{1} << 16U;
-    parallel_for(executor, open.values.size(), kCells, [&](std::size_t first, std::size_t last) {
-        std::uint16_t* const ground = floor.ground.values.data();
-        std::uint8_t* const is_open = open.values.data();
-        const std::uint8_t* const furniture = cells.furniture.values.data();
-        for (std::size_t i = first; i < last; ++i) {
-            const bool is_bare = ground[i] < kFirstNonRoom && furniture[i] == 0;
-            ground[i] = is_bare ? ground[i] : std::uint16_t{0};
-            is_open[i] = std::uint8_t{ground[i] != 0};
-        }
-    });
-    const Raster<float> clearance = clearance_m(open, 1.0, executor);
-    const std::vector<Innermost> most = tally_by_label<Innermost>(
-        floor.ground, executor,
-        [&](Innermost& innermost, const LabelRun& run) {
-            const float* const begin = clearance.values.data() + run.offset;
-            const float here = largest(begin, run.num_cells, innermost.clearance);
-            if (here <= innermost.clearance) return;
-            const auto place = std::find(begin, begin + run.num_cells, here) - begin;
-            innermost = {here, run.offset + static_cast<std::size_t>(place)};
-        },
-        [](Innermost& into, const Innermost& other) {
-            if (other.clearance > into.clearance) into = other;
-        });
-    for (std::size_t room = 1; room < most.size() && room <= num_rooms; ++room) {
-        if (most[room].clearance == 0.0F) continue;
-        const Cell cell = open.cell(most[room].place);
-        floor.inner_points[room - 1] = {cell.x + 0.5, cell.y + 0.5};
-    }
-    return floor;
+    return words;
 }
-
-/// Places the names of rooms, and where there is no space for one, the number.
-class Lettering {
-public:
-    Lettering(const FloorCells& cells, const std::vector<Room>& rooms,
-              const CellsFromMap& cells_from_map, const Layout& layout, const FloorPlan& plan,
-              const Executor& executor)
-        : ground_(cells.ground),
-          rooms_(rooms),
-          cells_from_map_(cells_from_map),
-          scale_(layout.scale),
-          unit_(layout.unit * letter_scale(rooms.size())),
-          number_unit_(std::max(kNumberScale * unit_, kLeastNumberUnit)),
-          plan_(plan),
-          executor_(executor) {
-        // Of larger maps, a page shows no furniture that letters could stand on.
-        constexpr std::size_t kMostCells = std::size_t{1} << 25U;
-        if (ground_.values.size() <= kMostCells) bare_ = clear_floor(cells, rooms.size(), executor);
-    }
-
-    [[nodiscard]] std::vector<RoomLabel> place() const {
-        std::vector<std::optional<RoomLabel>> found(rooms_.size());
-        for_each(found.size(), [&](std::size_t i) { found[i] = name_in_middle(i); });
-        std::vector<std::uint16_t> cramped;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            if (!found[i]) cramped.push_back(static_cast<std::uint16_t>(i + 1));
-        }
-        const auto spots = find_label_spots(ground_, cramped, executor_);
-        for_each(cramped.size(), [&](std::size_t k) {
-            found[cramped[k] - 1U] = name_or_number(cramped[k] - 1U, spots[k]);
-        });
-        std::vector<RoomLabel> labels;
-        std::vector<CrampedRoom> numbers;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            if (found[i]) labels.push_back(std::move(*found[i]));
-        }
-        for (std::size_t k = 0; k < cramped.size(); ++k) {
-            const std::size_t i = cramped[k] - 1U;
-            if (found[i]) continue;
-            const Point at =
-                spots[k].empty() ? cells_from_map_(rooms_[i].label_point) : spots[k][0];
-            numbers.push_back({cramped[k], number_of(i), at});
-        }
-        const CalloutPage page{static_cast<double>(plan_.page_width),
-                               static_cast<double>(plan_.page_height), kCalloutSize * number_unit_};
-        for (RoomLabel& label : place_callouts(numbers, labels, ground_, scale_, page, typeface_)) {
-            labels.push_back(std::move(label));
-        }
-        return labels;
-    }
-
-private:
-    /// Numbers may be smaller than names, but not too small to be read.
-    static constexpr double kNumberScale = 0.75;
-    static constexpr double kLeastNumberUnit = 0.7;
-    static constexpr double kCalloutSize = 16.0;
-
-    template <typename Body>
-    void for_each(std::size_t count, const Body& body) const {
-        parallel_for(executor_, count, 1, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) body(i);
-        });
-    }
-    [[nodiscard]] std::string number_of(std::size_t i) const {
-        return std::to_string(index(rooms_[i].id));
-    }
-    /// Beside the furniture where that does not make letters much smaller, on it where it does.
-    [[nodiscard]] std::optional<RoomLabel> name_in_middle(std::size_t i) const {
-        constexpr double kWorthIt = 0.75;
-        LabelText text{static_cast<std::uint32_t>(i + 1), plan_.rooms[i].name, plan_.rooms[i].area,
-                       cells_from_map_(rooms_[i].label_point), cells_from_map_(rooms_[i].centroid)};
-        auto label = place_label(text, ground_, scale_, unit_, typeface_);
-        if (!label || !bare_) return label;
-        text.label_point = bare_->inner_points[i];
-        auto beside = place_label(text, bare_->ground, scale_, unit_, typeface_);
-        const bool worth_it = beside && beside->name.size >= kWorthIt * label->name.size &&
-                              (beside->area || !label->area);
-        return worth_it ? beside : label;
-    }
-    /// The largest name at one of the spots, or else the largest number.
-    [[nodiscard]] std::optional<RoomLabel> name_or_number(std::size_t i,
-                                                          const std::vector<Point>& spots) const {
-        auto label = largest_at(i, plan_.rooms[i].name, unit_, spots);
-        return label ? label : largest_at(i, number_of(i), number_unit_, spots);
-    }
-    [[nodiscard]] std::optional<RoomLabel> largest_at(std::size_t i, const std::string& name,
-                                                      double unit,
-                                                      const std::vector<Point>& spots) const {
-        std::optional<RoomLabel> largest;
-        for (const Point& spot : spots) {
-            const LabelText text{static_cast<std::uint32_t>(i + 1), name, "", spot, spot};
-            auto label = place_label(text, ground_, scale_, unit, typeface_);
-            if (label && (!largest || label->name.size > largest->name.size)) {
-                largest = std::move(label);
-            }
-        }
-        return largest;
-    }
-
-    const Raster<std::uint16_t>& ground_;
-    const std::vector<Room>& rooms_;
-    const CellsFromMap& cells_from_map_;
-    PageScale scale_;
-    double unit_;
-    double number_unit_;
-    const FloorPlan& plan_;
-    const Executor& executor_;
-    std::optional<BareFloor> bare_;
-    Typeface typeface_;
-};
 
 constexpr double kLegendSize = 16.0;
 constexpr double kLeastLegendSize = 11.0;
+
+/// "7: Kitchen, 8.3 m²"; a default name has the number already.
+std::string words_of(const DrawnRoom& room, const std::string& number) {
+    const std::string words = room.name + ", " + room.area;
+    return room.name.ends_with(" " + number) ? words : number + ": " + words;
+}
 
 /// Beside the map: the rooms that have only their numbers in it. The page becomes wider.
 void add_room_legend(const Layout& layout, FloorPlan& plan) {
@@ -310,7 +157,7 @@ void add_room_legend(const Layout& layout, FloorPlan& plan) {
         const DrawnRoom& room = plan.rooms[label->room - 1];
         lines.push_back({room.color,
                          mixed(room.color, kWallInk, kBorderShare),
-                         label->name.text + "  " + room.name + ", " + room.area,
+                         words_of(room, label->name.text),
                          {},
                          size});
     }
@@ -390,8 +237,10 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    plan.labels =
-        Lettering(cells, segmentation.rooms, cells_from_map, layout, plan, executor).place();
+    plan.labels = place_labels(cells, words_for(segmentation.rooms, plan, cells_from_map),
+                               {layout.scale, layout.unit, static_cast<double>(plan.page_width),
+                                static_cast<double>(plan.page_height)},
+                               executor);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
     add_room_legend(layout, plan);
     add_key(plan);

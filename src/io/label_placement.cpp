@@ -21,7 +21,9 @@ constexpr double kEasyPadding = 1.0;  // The same where there is no need to be n
 constexpr std::size_t kStepsForArea = 2;
 /// How many sizes larger the text must become to be turned.
 constexpr std::size_t kStepsForTurn = 3;
-/// Text of a slanted room is turned by a multiple of this.
+/// Text that would be of the smallest sizes, from this on, is turned by a multiple of some degrees
+/// where a room is slanted.
+constexpr std::size_t kSmallSize = 5;
 constexpr int kDegreesPerTurn = 15;
 
 /// A block of text, its lines one below the other.
@@ -84,6 +86,16 @@ bool is_all_room(const Raster<std::uint16_t>& ground, std::uint32_t room, const 
     const Cell high{static_cast<std::int32_t>(std::floor(center.x + reach_x)),
                     static_cast<std::int32_t>(std::floor(center.y + reach_y))};
     if (!ground.contains(low) || !ground.contains(high)) return false;
+    // Most that do not fit end outside of the room.
+    for (const double along : {-0.5 * width, 0.5 * width}) {
+        for (const double down : {-0.5 * height, 0.5 * height}) {
+            const Cell corner{static_cast<std::int32_t>(
+                                  std::floor(center.x + along * axes.along.x + down * axes.down.x)),
+                              static_cast<std::int32_t>(std::floor(center.y - along * axes.along.y -
+                                                                   down * axes.down.y))};
+            if (ground.at(corner) != room) return false;
+        }
+    }
     constexpr double kHalfCell = 0.5;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
@@ -218,7 +230,7 @@ std::optional<RoomLabel> place_label(const LabelText& text, const Raster<std::ui
         direction = turned;
     };
     try_to_turn(static_cast<int>(TextDirection::upwards));
-    if (direction == TextDirection::along_rows && best.size >= kStepsForTurn) {
+    if (direction == TextDirection::along_rows && best.size >= kSmallSize) {
         for (int degrees = kDegreesPerTurn; degrees < 90; degrees += kDegreesPerTurn) {
             try_to_turn(degrees);
             try_to_turn(-degrees);

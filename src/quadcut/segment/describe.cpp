@@ -3,7 +3,6 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -90,25 +89,46 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, const Gri
         });
 }
 
-/// A region and what stands in it: how far its cells are from its outer border.
+/// A region and what stands in it: how far its cells are from its outer border. For that every
+/// second cell of every second row is enough: all borders are two cells thick or more.
 struct Outline {
     std::size_t num_cells = 0;
+    std::size_t num_samples = 0;
     double sum_depth_m = 0.0;
     float max_depth_m = 0.0F;
 
-    void add(const float* depths, std::size_t count) {
-        // Four at a time: each sum waits for the one before.
-        std::array<double, 4> sums{};
-        std::size_t i = 0;
-        for (; i + 4 <= count; i += 4) {
-            for (std::size_t k = 0; k < 4; ++k) sums[k] += static_cast<double>(depths[i + k]);
-        }
-        for (; i < count; ++i) sums[0] += static_cast<double>(depths[i]);
+    /// Cells of row y from column x on.
+    void add(std::size_t x, std::size_t y, std::size_t count, const Raster<float>& depth) {
         num_cells += count;
-        sum_depth_m += (sums[0] + sums[1]) + (sums[2] + sums[3]);
-        max_depth_m = largest(depths, count, max_depth_m);
+        if (y % kStride != 0) return;
+        const std::size_t begin = (x + kStride - 1) / kStride;
+        const std::size_t num_here = (x + count + kStride - 1) / kStride - begin;
+        const float* const depths =
+            depth.values.data() + y / kStride * static_cast<std::size_t>(depth.width) + begin;
+        num_samples += num_here;
+        for (std::size_t i = 0; i < num_here; ++i) sum_depth_m += static_cast<double>(depths[i]);
+        max_depth_m = largest(depths, num_here, max_depth_m);
     }
+    static constexpr std::size_t kStride = 2;
 };
+
+Raster<std::uint8_t> sampled(const Raster<std::uint8_t>& cells, const Executor& executor) {
+    constexpr auto kStride = static_cast<std::int32_t>(Outline::kStride);
+    Raster<std::uint8_t> samples({0, 0}, (cells.width + kStride - 1) / kStride,
+                                 (cells.height + kStride - 1) / kStride);
+    const auto width = static_cast<std::size_t>(samples.width);
+    parallel_for(executor, static_cast<std::size_t>(samples.height), kRowsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t y = first; y < last; ++y) {
+                         const std::uint8_t* const row =
+                             cells.values.data() +
+                             y * Outline::kStride * static_cast<std::size_t>(cells.width);
+                         std::uint8_t* const to = samples.values.data() + y * width;
+                         for (std::size_t x = 0; x < width; ++x) to[x] = row[x * Outline::kStride];
+                     }
+                 });
+    return samples;
+}
 
 /// Makes furniture, and the cells around it that only it made a border, part of the inside.
 void fill_furniture(const Raster<std::uint32_t>& labels,
@@ -152,30 +172,34 @@ std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& labels,
         labels, [](std::uint32_t label) { return label != 0; }, max_furniture_cells(resolution_m),
         executor);
     fill_furniture(labels, furniture, interior);
-    const Raster<float> depth = clearance_m(interior, resolution_m, executor, std::move(memory));
+    const Raster<float> depth = clearance_m(sampled(interior, executor),
+                                            static_cast<double>(Outline::kStride) * resolution_m,
+                                            executor, std::move(memory));
     auto outlines = tally_by_label<Outline>(
         labels, executor,
         [&](Outline& outline, const LabelRun& run) {
-            outline.add(&depth.values[run.offset], run.num_cells);
+            outline.add(run.x, run.y, run.num_cells, depth);
         },
         [](Outline& outline, const Outline& other) {
             outline.num_cells += other.num_cells;
+            outline.num_samples += other.num_samples;
             outline.sum_depth_m += other.sum_depth_m;
             outline.max_depth_m = std::max(outline.max_depth_m, other.max_depth_m);
         });
     furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
-        outlines[room].add(&depth.values[first], run.end - run.begin);
+        outlines[room].add(run.begin, first / static_cast<std::size_t>(labels.width),
+                           run.end - run.begin, depth);
     });
     return outlines;
 }
 
 /// A corridor is long for its width and leads somewhere, or is very long; a hall is large.
 RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_doors) {
-    const auto num_cells = static_cast<double>(outline.num_cells);
-    const double area_m2 = num_cells * resolution_m * resolution_m;
+    const double area_m2 = static_cast<double>(outline.num_cells) * resolution_m * resolution_m;
     const double widest_m = 2.0 * (static_cast<double>(outline.max_depth_m) + resolution_m);
     // Between parallel walls, cells are a quarter of the width from them in the mean.
-    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_cells + resolution_m);
+    const auto num_samples = static_cast<double>(std::max<std::size_t>(outline.num_samples, 1));
+    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_samples + resolution_m);
     const bool leads_on = num_doors >= 2 && widest_m <= kCorridorMaxWidthM &&
                           area_m2 >= kCorridorMinElongation * widest_m * widest_m;
     const double length_m = area_m2 / usual_width_m;
