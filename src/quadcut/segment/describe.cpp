@@ -3,6 +3,7 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -89,117 +90,67 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, const Gri
         });
 }
 
-/// A region and what stands in it: how far its cells are from its outer border. For that every
-/// second cell of every second row is enough: all borders are two cells thick or more.
-struct Outline {
-    std::size_t num_cells = 0;
-    std::size_t num_samples = 0;
-    double sum_depth_m = 0.0;
-    float max_depth_m = 0.0F;
-
-    /// Cells of row y from column x on.
-    void add(std::size_t x, std::size_t y, std::size_t count, const Raster<float>& depth) {
-        num_cells += count;
-        if (y % kStride != 0) return;
-        const std::size_t begin = (x + kStride - 1) / kStride;
-        const std::size_t num_here = (x + count + kStride - 1) / kStride - begin;
-        const float* const depths =
-            depth.values.data() + y / kStride * static_cast<std::size_t>(depth.width) + begin;
-        num_samples += num_here;
-        for (std::size_t i = 0; i < num_here; ++i) sum_depth_m += static_cast<double>(depths[i]);
-        max_depth_m = largest(depths, num_here, max_depth_m);
-    }
-    static constexpr std::size_t kStride = 2;
-};
-
-Raster<std::uint8_t> sampled(const Raster<std::uint8_t>& cells, const Executor& executor) {
-    constexpr auto kStride = static_cast<std::int32_t>(Outline::kStride);
-    Raster<std::uint8_t> samples({0, 0}, (cells.width + kStride - 1) / kStride,
-                                 (cells.height + kStride - 1) / kStride);
-    const auto width = static_cast<std::size_t>(samples.width);
+/// Every second cell of every second row, which is fine enough for widths, with what stands in a
+/// region as part of it.
+Raster<std::uint32_t> sample_filled_regions(const Raster<std::uint32_t>& labels,
+                                            double resolution_m, const Executor& executor) {
+    Raster<std::uint32_t> samples({0, 0}, (labels.width + 1) / 2, (labels.height + 1) / 2);
+    const auto width = static_cast<std::size_t>(labels.width);
+    const auto num_columns = static_cast<std::size_t>(samples.width);
     parallel_for(executor, static_cast<std::size_t>(samples.height), kRowsPerChunk,
                  [&](std::size_t first, std::size_t last) {
                      for (std::size_t y = first; y < last; ++y) {
-                         const std::uint8_t* const row =
-                             cells.values.data() +
-                             y * Outline::kStride * static_cast<std::size_t>(cells.width);
-                         std::uint8_t* const to = samples.values.data() + y * width;
-                         for (std::size_t x = 0; x < width; ++x) to[x] = row[x * Outline::kStride];
+                         const std::uint32_t* const row = &labels.values[2 * y * width];
+                         std::uint32_t* const to = &samples.values[y * num_columns];
+                         for (std::size_t x = 0; x < num_columns; ++x) to[x] = row[2 * x];
                      }
                  });
+    const auto is_room = [](std::uint32_t label) { return label != 0; };
+    enclosed_patches(labels, is_room, max_furniture_cells(resolution_m), executor)
+        .for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
+            const std::size_t y = first / width;
+            if (y % 2 != 0) return;
+            std::uint32_t* const to = &samples.values[y / 2 * num_columns];
+            std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
+        });
     return samples;
 }
 
-/// Makes furniture, and the cells around it that only it made a border, part of the inside.
-void fill_furniture(const Raster<std::uint32_t>& labels,
-                    const EnclosedPatches<std::uint32_t>& furniture,
-                    Raster<std::uint8_t>& interior) {
-    const auto width = static_cast<std::size_t>(labels.width);
-    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t) {
-        std::fill_n(&interior.values[first], run.end - run.begin, std::uint8_t{1});
-    });
-    const auto belongs = [&](std::size_t place, std::uint32_t room) {
-        const std::uint32_t label = labels.values[place];
-        return label == room || (label == 0 && interior.values[place] != 0);
-    };
-    const auto fill = [&](std::size_t place, std::uint32_t room) {
-        if (labels.values[place] != room) return;
-        const Cell cell = labels.cell(place);
-        if (cell.x == 0 || cell.y == 0 || cell.x + 1 == labels.width ||
-            cell.y + 1 == labels.height) {
-            return;
-        }
-        const bool is_inside = belongs(place - 1, room) && belongs(place + 1, room) &&
-                               belongs(place - width, room) && belongs(place + width, room);
-        if (is_inside) interior.values[place] = 1;
-    };
-    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
-        const std::size_t end = first + (run.end - run.begin);
-        fill(first - 1, room);
-        fill(end, room);
-        for (std::size_t place = first; place < end; ++place) {
-            fill(place - width, room);
-            fill(place + width, room);
-        }
-    });
-}
+/// A region and what stands in it: how far its cells are from its outer border.
+struct Outline {
+    std::size_t num_cells = 0;
+    double sum_depth_m = 0.0;
+    float max_depth_m = 0.0F;
+};
 
-/// `interior` of the regions; `memory` as of clearance_m().
-std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& labels,
-                                      Raster<std::uint8_t> interior, double resolution_m,
+/// Of each region of a raster; `memory` as of clearance_m().
+std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& regions, double resolution_m,
                                       const Executor& executor, Raster<float> memory) {
-    const EnclosedPatches<std::uint32_t> furniture = enclosed_patches(
-        labels, [](std::uint32_t label) { return label != 0; }, max_furniture_cells(resolution_m),
-        executor);
-    fill_furniture(labels, furniture, interior);
-    const Raster<float> depth = clearance_m(sampled(interior, executor),
-                                            static_cast<double>(Outline::kStride) * resolution_m,
+    const Raster<float> depth = clearance_m(interior_of_regions(regions, executor), resolution_m,
                                             executor, std::move(memory));
-    auto outlines = tally_by_label<Outline>(
-        labels, executor,
+    return tally_by_label<Outline>(
+        regions, executor,
         [&](Outline& outline, const LabelRun& run) {
-            outline.add(run.x, run.y, run.num_cells, depth);
+            const float* const depths = &depth.values[run.offset];
+            outline.num_cells += run.num_cells;
+            outline.sum_depth_m =
+                std::accumulate(depths, depths + run.num_cells, outline.sum_depth_m);
+            outline.max_depth_m = largest(depths, run.num_cells, outline.max_depth_m);
         },
         [](Outline& outline, const Outline& other) {
             outline.num_cells += other.num_cells;
-            outline.num_samples += other.num_samples;
             outline.sum_depth_m += other.sum_depth_m;
             outline.max_depth_m = std::max(outline.max_depth_m, other.max_depth_m);
         });
-    furniture.for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
-        outlines[room].add(run.begin, first / static_cast<std::size_t>(labels.width),
-                           run.end - run.begin, depth);
-    });
-    return outlines;
 }
 
 /// A corridor is long for its width and leads somewhere, or is very long; a hall is large.
 RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_doors) {
-    const double area_m2 = static_cast<double>(outline.num_cells) * resolution_m * resolution_m;
+    const auto num_cells = static_cast<double>(std::max<std::size_t>(outline.num_cells, 1));
+    const double area_m2 = num_cells * resolution_m * resolution_m;
     const double widest_m = 2.0 * (static_cast<double>(outline.max_depth_m) + resolution_m);
     // Between parallel walls, cells are a quarter of the width from them in the mean.
-    const auto num_samples = static_cast<double>(std::max<std::size_t>(outline.num_samples, 1));
-    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_samples + resolution_m);
+    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_cells + resolution_m);
     const bool leads_on = num_doors >= 2 && widest_m <= kCorridorMaxWidthM &&
                           area_m2 >= kCorridorMinElongation * widest_m * widest_m;
     const double length_m = area_m2 / usual_width_m;
@@ -227,11 +178,13 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         ++num_doors[index(door.a)];
         ++num_doors[index(door.b)];
     }
-    Raster<std::uint8_t> interior = interior_of_regions(labels, executor);
-    Raster<float> depth = clearance_m(interior, map.resolution_m, executor, std::move(memory));
+    Raster<float> depth = clearance_m(interior_of_regions(labels, executor), map.resolution_m,
+                                      executor, std::move(memory));
     std::vector<Shape> shapes = measure_shapes(labels, map, layout, depth, executor);
+    const double sample_m = 2.0 * map.resolution_m;
     std::vector<Outline> outlines =
-        measure_outlines(labels, std::move(interior), map.resolution_m, executor, std::move(depth));
+        measure_outlines(sample_filled_regions(labels, map.resolution_m, executor), sample_m,
+                         executor, std::move(depth));
     shapes.resize(count + std::size_t{1});
     outlines.resize(count + std::size_t{1});
     const LaidOutFrame frame{layout, map.resolution_m, map.map_from_image};
@@ -243,7 +196,7 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         Room room;
         room.id = RoomId{id};
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
-        room.kind = kind_of(outlines[id], map.resolution_m, num_doors[id]);
+        room.kind = kind_of(outlines[id], sample_m, num_doors[id]);
         room.name = default_name(room.kind, room.id);
         room.centroid = frame.in_map({shape.sum_x / num_cells, shape.sum_y / num_cells});
         room.label_point = frame.in_map({shape.deepest.x + 0.5, shape.deepest.y + 0.5});
