@@ -128,8 +128,7 @@ PairPicture::PairPicture(const Exhibit& exhibit) {
 PairPicture::Pane PairPicture::make_pane(const Side& side, const std::vector<io::Rgb>& colors,
                                          const std::vector<std::string>& words) {
     Pane pane{io::lay_out_floor_plan(side.map, side.rooms, colors), place_words(side, words), {}};
-    pane.plan.labels.clear();
-    pane.plan.scale_bar.length = 0.0;
+    pane.plan.remove_text();
     const Raster<std::uint16_t>& labels = side.rooms.labels;
     pane.ground = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
     std::copy(labels.values.begin(), labels.values.end(), pane.ground.values.begin());

@@ -64,8 +64,7 @@ void draw_moment(Canvas& canvas, const Moment& moment, const Panel& panel,
                  const std::vector<Rgb>& colors, const Typeface& typeface) {
     if (!moment.map.states.values.empty()) {
         FloorPlan plan = lay_out_floor_plan(moment.map, moment.rooms, colors);
-        plan.labels.clear();
-        plan.scale_bar.length = 0.0;
+        plan.remove_text();
         const double factor =
             panel.pixels_per_m * moment.map.resolution_m / (2.0 * plan.pixels_per_half_cell);
         const Pose& corner = moment.map.map_from_image;

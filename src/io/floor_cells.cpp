@@ -14,6 +14,7 @@
 #include "io/part_tallies.hpp"
 #include "io/thick_parts.hpp"
 #include "quadcut/map/connected_parts.hpp"
+#include "quadcut/map/enclosed_patches.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -212,42 +213,14 @@ bool is_shorter(const CellBounds& bounds, std::int32_t max_side_cells) {
            bounds.high.y - bounds.low.y < max_side_cells;
 }
 
-/// Patches of cells without a room, 8-connected, up to this long, that one room encloses become
-/// furniture.
-void find_furniture(FloorCells& cells, std::int32_t max_side_cells, const Executor& executor) {
+/// What one room encloses and is not too large becomes furniture.
+void find_furniture(FloorCells& cells, std::size_t max_cells, const Executor& executor) {
     Raster<std::uint16_t>& ground = cells.ground;
-    const ConnectedParts patches = connected_parts(
-        ground, [&](std::size_t i) { return is_room(ground.values[i]) ? 0 : 1; },
-        Connectivity::eight, executor);
-    const std::vector<CellBounds> bounds = bounds_of(patches);
-    // Of each patch the room around it; 0 as long as none was met.
-    std::vector<std::uint16_t> room_around(patches.count + std::size_t{1});
-    std::vector<bool> is_enclosed(patches.count + std::size_t{1});
-    for (std::size_t i = 1; i < is_enclosed.size(); ++i) {
-        is_enclosed[i] = !meets_frame(bounds[i], ground) && is_shorter(bounds[i], max_side_cells);
-    }
-    const auto width = static_cast<std::size_t>(ground.width);
-    patches.for_each_run([&](const CellRun& run, std::size_t first) {
-        if (!is_enclosed[run.part]) return;
-        std::uint16_t& room = room_around[run.part];
-        const auto meet = [&](std::size_t place) {
-            const std::uint16_t met = ground.values[place];
-            if (!is_room(met)) return;
-            if (room == 0) room = met;
-            if (met != room) is_enclosed[run.part] = false;
-        };
-        const std::size_t last = first + (run.end - run.begin) - 1;
-        meet(first - 1);
-        meet(last + 1);
-        for (std::size_t place = first - 1; place <= last + 1; ++place) {
-            meet(place - width);
-            meet(place + width);
-        }
-    });
-    patches.for_each_run([&](const CellRun& run, std::size_t first) {
-        if (!is_enclosed[run.part]) return;
+    const EnclosedPatches<std::uint16_t> found =
+        enclosed_patches(ground, is_room, max_cells, executor);
+    found.for_each_run([&](const CellRun& run, std::size_t first, std::uint16_t room) {
         for (std::size_t place = first; place < first + (run.end - run.begin); ++place) {
-            const std::uint16_t was = std::exchange(ground.values[place], room_around[run.part]);
+            const std::uint16_t was = std::exchange(ground.values[place], room);
             if (was == kWall) cells.furniture.values[place] = kFurniture;
             if (was == 0) cells.furniture.values[place] = kFurnitureInside;
         }
@@ -341,11 +314,11 @@ FloorCells sort_floor_cells(const GridMap& map, const Raster<std::uint16_t>& lab
                             const Executor& executor) {
     FloorCells cells = classify(map, labels, executor);
     return_rims_to_walls(cells, to_cells(kRimMetres, map.resolution_m), executor);
-    const std::int32_t max_furniture_cells = to_cells(kMaxFurnitureMetres, map.resolution_m);
-    find_furniture(cells, max_furniture_cells, executor);
+    find_furniture(cells, max_furniture_cells(map.resolution_m), executor);
     const std::int32_t max_wall_cells =
         std::min(to_cells(kMaxWallMetres, map.resolution_m), kMaxWallCells);
-    mark_hidden_cells(cells, max_wall_cells, max_furniture_cells, executor);
+    mark_hidden_cells(cells, max_wall_cells, to_cells(kMaxFurnitureMetres, map.resolution_m),
+                      executor);
     fill_walls(cells.ground, executor);
     hollow_out_blocks(cells.ground, std::max(max_wall_cells, 2), executor);
     return cells;

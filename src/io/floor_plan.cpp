@@ -7,16 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "io/floor_cells.hpp"
+#include "io/lettering.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
-#include "quadcut/map/clearance.hpp"
-#include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -31,14 +29,6 @@ struct Layout {
     /// Scales line widths and letters.
     double unit = 1.0;
 };
-
-/// Few rooms leave space for larger letters.
-double letter_scale(std::size_t num_rooms) {
-    constexpr double kManyRooms = 24.0;
-    constexpr double kLargest = 1.5;
-    const double rooms = std::max<double>(static_cast<double>(num_rooms), 1.0);
-    return std::clamp(std::sqrt(std::sqrt(kManyRooms / rooms)), 1.0, kLargest);
-}
 
 /// Sets the page's size, and where cells come to lie on it.
 Layout set_page(const Raster<std::uint16_t>& ground, FloorPlan& plan) {
@@ -99,6 +89,21 @@ void draw_cells(const FloorCells& cells, const Executor& executor, FloorPlan& pl
     }
 }
 
+/// A point of the map frame in cells.
+class CellsFromMap {
+public:
+    explicit CellsFromMap(const GridMap& map)
+        : image_from_map_(inverse(map.map_from_image)), resolution_m_(map.resolution_m) {}
+    [[nodiscard]] Point operator()(const Point& point) const {
+        const Point metres = transform(image_from_map_, point);
+        return {metres.x / resolution_m_, metres.y / resolution_m_};
+    }
+
+private:
+    Pose image_from_map_;
+    double resolution_m_;
+};
+
 /// 1, 2 or 5 times a power of ten metres, about a fifth of the page.
 ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resolution_m) {
     constexpr double kShareOfPage = 0.2;
@@ -118,98 +123,70 @@ ScaleBar set_scale_bar(const FloorPlan& plan, const Layout& layout, double resol
     return bar;
 }
 
-/// A point of the map frame in cells.
-class CellsFromMap {
-public:
-    explicit CellsFromMap(const GridMap& map)
-        : image_from_map_(inverse(map.map_from_image)), resolution_m_(map.resolution_m) {}
-    [[nodiscard]] Point operator()(const Point& point) const {
-        const Point metres = transform(image_from_map_, point);
-        return {metres.x / resolution_m_, metres.y / resolution_m_};
+/// What is to be said of each room, and where.
+std::vector<RoomWords> words_for(const std::vector<Room>& rooms, const FloorPlan& plan,
+                                 const CellsFromMap& cells_from_map) {
+    std::vector<RoomWords> words;
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        words.push_back({plan.rooms[i].name, plan.rooms[i].area, std::to_string(index(rooms[i].id)),
+                         cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)});
     }
-
-private:
-    Pose image_from_map_;
-    double resolution_m_;
-};
-
-/// The rooms without what furniture stands on, and of each room the point farthest from all
-/// obstacles, in cells.
-struct BareFloor {
-    Raster<std::uint16_t> ground;
-    std::vector<Point> inner_points;
-};
-
-/// The cell farthest from all obstacles; of several, the first.
-struct Innermost {
-    float clearance = 0.0F;
-    std::size_t place = 0;
-};
-
-BareFloor clear_floor(const FloorCells& cells, std::size_t num_rooms, const Executor& executor) {
-    BareFloor floor{cells.ground, std::vector<Point>(num_rooms)};
-    Raster<std::uint8_t> open(cells.ground.origin, cells.ground.width, cells.ground.height);
-    constexpr std::size_t kCells = std::size_t{1} << 16U;
-    parallel_for(executor, open.values.size(), kCells, [&](std::size_t first, std::size_t last) {
-        std::uint16_t* const ground = floor.ground.values.data();
-        std::uint8_t* const is_open = open.values.data();
-        const std::uint8_t* const furniture = cells.furniture.values.data();
-        for (std::size_t i = first; i < last; ++i) {
-            const bool is_bare = ground[i] < kFirstNonRoom && furniture[i] == 0;
-            ground[i] = is_bare ? ground[i] : std::uint16_t{0};
-            is_open[i] = std::uint8_t{ground[i] != 0};
-        }
-    });
-    const Raster<float> clearance = clearance_m(open, 1.0, executor);
-    const std::vector<Innermost> most = tally_by_label<Innermost>(
-        floor.ground, executor,
-        [&](Innermost& innermost, const LabelRun& run) {
-            const float* const begin = clearance.values.data() + run.offset;
-            const float here = largest(begin, run.num_cells, innermost.clearance);
-            if (here <= innermost.clearance) return;
-            const auto place = std::find(begin, begin + run.num_cells, here) - begin;
-            innermost = {here, run.offset + static_cast<std::size_t>(place)};
-        },
-        [](Innermost& into, const Innermost& other) {
-            if (other.clearance > into.clearance) into = other;
-        });
-    for (std::size_t room = 1; room < most.size() && room <= num_rooms; ++room) {
-        if (most[room].clearance == 0.0F) continue;
-        const Cell cell = open.cell(most[room].place);
-        floor.inner_points[room - 1] = {cell.x + 0.5, cell.y + 0.5};
-    }
-    return floor;
+    return words;
 }
 
-/// Beside the furniture where that does not make letters much smaller, on it where it does.
-void place_labels(const FloorCells& cells, const std::vector<Room>& rooms,
-                  const CellsFromMap& cells_from_map, const Layout& layout,
-                  const Executor& executor, FloorPlan& plan) {
-    constexpr double kWorthIt = 0.75;
-    const Typeface typeface;
-    // Of larger maps, a page shows no furniture that letters could stand on.
-    constexpr std::size_t kMostCells = std::size_t{1} << 25U;
-    std::optional<BareFloor> bare;
-    if (cells.ground.values.size() <= kMostCells) bare = clear_floor(cells, rooms.size(), executor);
-    const double unit = layout.unit * letter_scale(rooms.size());
-    std::vector<std::optional<RoomLabel>> labels(rooms.size());
-    const auto place = [&](std::size_t i) {
-        LabelText text{static_cast<std::uint32_t>(i + 1), plan.rooms[i].name, plan.rooms[i].area,
-                       cells_from_map(rooms[i].label_point), cells_from_map(rooms[i].centroid)};
-        labels[i] = place_label(text, cells.ground, layout.scale, unit, typeface);
-        if (!labels[i] || !bare) return;
-        text.label_point = bare->inner_points[i];
-        auto beside = place_label(text, bare->ground, layout.scale, unit, typeface);
-        const bool worth_it = beside && beside->name.size >= kWorthIt * labels[i]->name.size &&
-                              (beside->area || !labels[i]->area);
-        if (worth_it) labels[i] = std::move(beside);
-    };
-    parallel_for(executor, rooms.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) place(i);
-    });
-    for (std::optional<RoomLabel>& label : labels) {
-        if (label) plan.labels.push_back(std::move(*label));
+constexpr double kLegendSize = 16.0;
+constexpr double kLeastLegendSize = 11.0;
+
+/// "7: Kitchen, 8.3 m²"; a default name has the number already.
+std::string words_of(const DrawnRoom& room, const std::string& number) {
+    const std::string words = room.name + ", " + room.area;
+    return room.name.ends_with(" " + number) ? words : number + ": " + words;
+}
+
+/// Beside the map: the rooms that have only their numbers in it. The page becomes wider.
+void add_room_legend(const Layout& layout, FloorPlan& plan) {
+    const double size = std::max(kLegendSize * layout.unit, kLeastLegendSize);
+    std::vector<LegendLine> lines;
+    std::vector<const RoomLabel*> labels;
+    for (const RoomLabel& label : plan.labels) {
+        if (label.name.text != plan.rooms[label.room - 1].name) labels.push_back(&label);
     }
+    std::sort(labels.begin(), labels.end(),
+              [](const RoomLabel* p, const RoomLabel* q) { return p->room < q->room; });
+    for (const RoomLabel* label : labels) {
+        const DrawnRoom& room = plan.rooms[label->room - 1];
+        lines.push_back({room.color,
+                         mixed(room.color, kWallInk, kBorderShare),
+                         words_of(room, label->name.text),
+                         {},
+                         size});
+    }
+    if (lines.empty()) return;
+    const double margin = plan.drawing_origin.x;
+    const Point corner{static_cast<double>(plan.page_width), margin};
+    const double width = set_in_columns(lines, corner, plan.page_height - 2.0 * margin, Typeface());
+    plan.page_width += static_cast<std::int32_t>(std::ceil(width + margin));
+    std::move(lines.begin(), lines.end(), std::back_inserter(plan.legend));
+}
+
+/// Beside the scale bar: what is drawn that has no name.
+void add_key(FloorPlan& plan) {
+    const Typeface typeface;
+    const ScaleBar& bar = plan.scale_bar;
+    Point left{bar.text_left().x + typeface.width(bar.text, bar.text_size), bar.origin.y};
+    const auto add = [&](Rgb ink, Rgb border_ink, std::string text) {
+        left.x += 2.0 * bar.text_size;
+        LegendLine line{ink, border_ink, std::move(text), left, bar.text_size};
+        left.x += width_of(line, typeface);
+        plan.legend.push_back(std::move(line));
+    };
+    if (!plan.furniture.empty() || !plan.furniture_insides.empty()) {
+        add(kFurnitureInsideInk, kFurnitureInk, "furniture");
+    }
+    if (!plan.doors.empty()) add(kDoorInk, kPaper, "door");
+    const double margin = plan.drawing_origin.x;
+    plan.page_width =
+        std::max(plan.page_width, static_cast<std::int32_t>(std::ceil(left.x + margin)));
 }
 
 }  // namespace
@@ -239,6 +216,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     plan.frame = cells.ground.box();
     plan.border_width = 1.6 * layout.unit;
     plan.door_width = 5.0 * layout.unit;
+    plan.leader_width = 1.4 * layout.unit;
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
         const Room& room = segmentation.rooms[i];
         plan.rooms.push_back({room.id,
@@ -259,9 +237,20 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                   plan.rooms[places.at(door.b)].name + ", " +
                                   rounded(door.width_m, 2) + " m"});
     }
-    place_labels(cells, segmentation.rooms, cells_from_map, layout, executor, plan);
+    plan.labels = place_labels(cells, words_for(segmentation.rooms, plan, cells_from_map),
+                               {layout.scale, layout.unit, static_cast<double>(plan.page_width),
+                                static_cast<double>(plan.page_height)},
+                               executor);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
+    add_room_legend(layout, plan);
+    add_key(plan);
     return plan;
+}
+
+void FloorPlan::remove_text() {
+    labels.clear();
+    legend.clear();
+    scale_bar.length = 0.0;
 }
 
 FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
@@ -278,6 +267,7 @@ FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
     plan.pixels_per_half_cell *= factor;
     plan.border_width *= factor;
     plan.door_width *= factor;
+    plan.leader_width *= factor;
     for (DrawnDoor& door : plan.doors) {
         place(door.from);
         place(door.to);
@@ -285,6 +275,13 @@ FloorPlan placed(FloorPlan plan, double factor, const Point& shift) {
     for (RoomLabel& label : plan.labels) {
         place_text(label.name);
         if (label.area) place_text(*label.area);
+        if (!label.leader) continue;
+        place(label.leader->from);
+        place(label.leader->to);
+    }
+    for (LegendLine& line : plan.legend) {
+        place(line.left);
+        line.size *= factor;
     }
     place(plan.scale_bar.origin);
     plan.scale_bar.length *= factor;

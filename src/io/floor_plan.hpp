@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/label_placement.hpp"
+#include "io/legend.hpp"
 #include "io/palette.hpp"
 #include "io/smooth_outline.hpp"
 #include "quadcut/base/parallel.hpp"
@@ -65,6 +66,7 @@ struct FloorPlan {
     /// Line widths on this page, pixels.
     double border_width = 1.0;
     double door_width = 1.0;
+    double leader_width = 1.0;
 
     std::vector<DrawnRoom> rooms;
     std::vector<DrawnRing> loose_free;
@@ -74,7 +76,13 @@ struct FloorPlan {
     std::vector<DrawnRing> furniture_insides;
     std::vector<DrawnDoor> doors;
     std::vector<RoomLabel> labels;
+    /// Beside the map, what is said of rooms that have only their number in it; below it, what
+    /// stands for furniture and for a door, where there are any.
+    std::vector<LegendLine> legend;
     ScaleBar scale_bar;
+
+    /// Leaves the rooms as they are, and nothing to read.
+    void remove_text();
 
     [[nodiscard]] Point to_page(HalfCell point) const {
         return {drawing_origin.x + pixels_per_half_cell * point.x,
@@ -94,6 +102,8 @@ inline constexpr Rgb kFurnitureInsideInk{0xC6, 0xCB, 0xD0};
 /// A room's border: this much of the wall's ink on its colour; likewise the text of its area.
 inline constexpr double kBorderShare = 0.35;
 inline constexpr double kAreaTextShare = 0.75;
+/// The dot at the end of a line to a number, of the line's width.
+inline constexpr double kLeaderDot = 2.0;
 /// The white around a door, of the door's width.
 inline constexpr double kCasing = 1.8;
 /// The room's colour around letters, of their size; it shows where furniture is below them.
@@ -102,7 +112,8 @@ inline constexpr double kHaloOpacity = 0.8;
 
 /// Lays out the plan of the rooms (colors[i] is the colour of rooms[i]). The page is an integer
 /// number of pixels a cell, the most with which it is at most 2400 pixels long; larger maps one,
-/// or so much less that it is at most 8192 long. O(cells).
+/// or so much less that it is at most 8192 long; the legend is beside that. Every room has its name
+/// or its number. O(cells).
 /// @pre segmentation.labels and map.states cover the same rectangle, which is not empty.
 [[nodiscard]] FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentation,
                                            std::span<const Rgb> colors,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace quadcut::io {
 namespace {
@@ -20,6 +21,10 @@ constexpr double kEasyPadding = 1.0;  // The same where there is no need to be n
 constexpr std::size_t kStepsForArea = 2;
 /// How many sizes larger the text must become to be turned.
 constexpr std::size_t kStepsForTurn = 3;
+/// Text that would be of the smallest sizes, from this on, is turned by a multiple of some degrees
+/// where a room is slanted.
+constexpr std::size_t kSmallSize = 5;
+constexpr int kDegreesPerTurn = 15;
 
 /// A block of text, its lines one below the other.
 struct Block {
@@ -68,6 +73,44 @@ bool is_all_room(const Raster<std::uint16_t>& ground, std::uint32_t room, const 
     return true;
 }
 
+/// The same for a rectangle that is turned.
+bool is_all_room(const Raster<std::uint16_t>& ground, std::uint32_t room, const Point& center,
+                 double width, double height, const TextAxes& axes) {
+    const auto reach = [&](double along, double down) {
+        return (std::abs(along) * width + std::abs(down) * height) / 2.0;
+    };
+    const double reach_x = reach(axes.along.x, axes.down.x);
+    const double reach_y = reach(axes.along.y, axes.down.y);
+    const Cell low{static_cast<std::int32_t>(std::floor(center.x - reach_x)),
+                   static_cast<std::int32_t>(std::floor(center.y - reach_y))};
+    const Cell high{static_cast<std::int32_t>(std::floor(center.x + reach_x)),
+                    static_cast<std::int32_t>(std::floor(center.y + reach_y))};
+    if (!ground.contains(low) || !ground.contains(high)) return false;
+    // Most that do not fit end outside of the room.
+    for (const double along : {-0.5 * width, 0.5 * width}) {
+        for (const double down : {-0.5 * height, 0.5 * height}) {
+            const Cell corner{static_cast<std::int32_t>(
+                                  std::floor(center.x + along * axes.along.x + down * axes.down.x)),
+                              static_cast<std::int32_t>(std::floor(center.y - along * axes.along.y -
+                                                                   down * axes.down.y))};
+            if (ground.at(corner) != room) return false;
+        }
+    }
+    constexpr double kHalfCell = 0.5;
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            // Cells lie with y up.
+            const double dx = x + kHalfCell - center.x;
+            const double dy = center.y - (y + kHalfCell);
+            const bool is_under =
+                std::abs(dx * axes.along.x + dy * axes.along.y) <= width / 2.0 + kHalfCell &&
+                std::abs(dx * axes.down.x + dy * axes.down.y) <= height / 2.0 + kHalfCell;
+            if (is_under && ground.at({x, y}) != room) return false;
+        }
+    }
+    return true;
+}
+
 /// Which of kSizes fits first; kSizes.size() if none.
 struct Fit {
     std::size_t size = kSizes.size();
@@ -101,9 +144,9 @@ public:
         const Block block = measure(lengths_, size, fit.with_area, typeface_);
         const Point center = scale_.to_page(fit.center);
         // `down`: from the middle of the block to a base line, across the lines of text.
+        const TextAxes axes(direction);
         const auto anchor = [&](double down) {
-            return direction == TextDirection::along_rows ? Point{center.x, center.y + down}
-                                                          : Point{center.x + down, center.y};
+            return Point{center.x + down * axes.down.x, center.y + down * axes.down.y};
         };
         RoomLabel label;
         label.room = text_.room;
@@ -139,6 +182,9 @@ private:
         const Block block = measure(lengths_, size, with_area, typeface_);
         double width = (block.width + 2.0 * padding * size) / scale_.pixels_per_cell;
         double height = (block.height + 2.0 * padding * size) / scale_.pixels_per_cell;
+        if (direction != TextDirection::along_rows && direction != TextDirection::upwards) {
+            return is_all_room(ground_, text_.room, center, width, height, TextAxes(direction));
+        }
         if (direction == TextDirection::upwards) std::swap(width, height);
         return is_all_room(ground_, text_.room, center, width, height);
     }
@@ -153,17 +199,45 @@ private:
 
 }  // namespace
 
+TextAxes::TextAxes(TextDirection direction) {
+    // Right angles are exact.
+    if (direction == TextDirection::along_rows) {
+        along = {1.0, 0.0};
+        down = {0.0, 1.0};
+    } else if (direction == TextDirection::upwards) {
+        along = {0.0, -1.0};
+        down = {1.0, 0.0};
+    } else {
+        const double angle = static_cast<double>(direction) * std::numbers::pi / 180.0;
+        along = {std::cos(angle), -std::sin(angle)};
+        down = {std::sin(angle), std::cos(angle)};
+    }
+}
+
 std::optional<RoomLabel> place_label(const LabelText& text, const Raster<std::uint16_t>& ground,
                                      const PageScale& scale, double unit,
                                      const Typeface& typeface) {
     const Fitter fitter(text, ground, scale, unit, typeface);
-    const Fit level = fitter.find(TextDirection::along_rows);
-    const Fit turned = fitter.find(TextDirection::upwards);
-    if (turned.size + kStepsForTurn <= level.size && turned.size < kSizes.size()) {
-        return fitter.label(turned, TextDirection::upwards);
+    Fit best = fitter.find(TextDirection::along_rows);
+    TextDirection direction = TextDirection::along_rows;
+    const auto try_to_turn = [&](int degrees) {
+        const auto turned = static_cast<TextDirection>(degrees);
+        const Fit fit = fitter.find(turned);
+        // What is turned already may become larger by any step.
+        const std::size_t steps = direction == TextDirection::along_rows ? kStepsForTurn : 1;
+        if (fit.size + steps > best.size) return;
+        best = fit;
+        direction = turned;
+    };
+    try_to_turn(static_cast<int>(TextDirection::upwards));
+    if (direction == TextDirection::along_rows && best.size >= kSmallSize) {
+        for (int degrees = kDegreesPerTurn; degrees < 90; degrees += kDegreesPerTurn) {
+            try_to_turn(degrees);
+            try_to_turn(-degrees);
+        }
     }
-    if (level.size == kSizes.size()) return std::nullopt;
-    return fitter.label(level, TextDirection::along_rows);
+    if (best.size == kSizes.size()) return std::nullopt;
+    return fitter.label(best, direction);
 }
 
 }  // namespace quadcut::io

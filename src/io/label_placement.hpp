@@ -12,8 +12,16 @@
 
 namespace quadcut::io {
 
-/// Text along the rows of the page, or turned to be read from the right (bottom to top).
-enum class TextDirection : std::uint8_t { along_rows, upwards };
+/// How far text is turned from the rows of the page, degrees counterclockwise: what is turned
+/// upwards is to be read from the right.
+enum class TextDirection : std::int32_t { along_rows = 0, upwards = 90 };
+
+/// Where text leads to, and where it leads on below a line of text; on the page, y down.
+struct TextAxes {
+    explicit TextAxes(TextDirection direction);
+    Point along;
+    Point down;
+};
 
 /// One line of text on the page. Pixels, y down.
 struct TextLine {
@@ -23,13 +31,21 @@ struct TextLine {
     Point anchor;
 };
 
-/// The text in a room: its name, and its area below if there is space for it.
+/// A thin line on the page from a place in a room to the number beside it.
+struct Leader {
+    Point from;
+    Point to;
+};
+
+/// The text in a room: its name, and its area below if there is space for it; or its number, where
+/// there is none for the name, or beside it.
 struct RoomLabel {
     /// As the ground has it: 1 + the room's place.
     std::uint32_t room = 0;
     TextDirection direction = TextDirection::along_rows;
     TextLine name;
     std::optional<TextLine> area;
+    std::optional<Leader> leader;
 };
 
 /// How cells become pixels: cell corner (x, y) is at (left + x * scale, bottom - y * scale).
@@ -52,10 +68,10 @@ struct LabelText {
     Point centroid;
 };
 
-/// The largest of a few sizes at which the text lies within the cells of its room; upwards only
-/// where that allows clearly larger letters. Centred on the centroid, where it looks best, unless
-/// the label point allows larger letters. Nothing if not even the smallest fits. `unit` scales the
-/// sizes: 1 means 11.5 to 30 pixels. O(cells under the text).
+/// The largest of a few sizes at which the text lies within the cells of its room; upwards, or
+/// along a slanted room, only where that allows clearly larger letters. Centred on the centroid,
+/// where it looks best, unless the label point allows larger letters. Nothing if not even the
+/// smallest fits. `unit` scales the sizes: 1 means 11.5 to 30 pixels. O(cells under the text).
 [[nodiscard]] std::optional<RoomLabel> place_label(const LabelText& text,
                                                    const Raster<std::uint16_t>& ground,
                                                    const PageScale& scale, double unit,

@@ -52,20 +52,28 @@ std::vector<std::vector<Point>> set_text(const TextLine& line, TextDirection dir
                                          const Typeface& typeface) {
     const double half = typeface.width(line.text, line.size) / 2.0;
     std::vector<std::vector<Point>> outlines = typeface.outlines(line.text, line.size);
+    const TextAxes axes(direction);
     for (std::vector<Point>& outline : outlines) {
         for (Point& point : outline) {
             const double along = point.x - half;
-            point = direction == TextDirection::along_rows
-                        ? Point{line.anchor.x + along, line.anchor.y + point.y}
-                        : Point{line.anchor.x + point.y, line.anchor.y - along};
+            point = {line.anchor.x + along * axes.along.x + point.y * axes.down.x,
+                     line.anchor.y + along * axes.along.y + point.y * axes.down.y};
         }
     }
     return outlines;
 }
 
 void draw_labels(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) {
+    Shape leaders;
     for (const RoomLabel& label : plan.labels) {
-        const Rgb room = plan.rooms[label.room - 1].color;
+        if (!label.leader) continue;
+        const std::array<Point, 2> line = {label.leader->from, label.leader->to};
+        leaders.add_line(line, plan.leader_width);
+        leaders.add_disc(label.leader->from, kLeaderDot * plan.leader_width);
+    }
+    canvas.fill(std::move(leaders), kTextInk);
+    for (const RoomLabel& label : plan.labels) {
+        const Rgb room = label.leader ? kPaper : plan.rooms[label.room - 1].color;
         draw_text(canvas, label.name, label.direction, kTextInk, room, typeface);
         if (label.area) {
             draw_text(canvas, *label.area, label.direction, mixed(room, kTextInk, kAreaTextShare),
@@ -74,14 +82,31 @@ void draw_labels(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface
     }
 }
 
+/// The text of a line that begins at a point.
+void draw_text_from(Canvas& canvas, const std::string& text, double size, const Point& left,
+                    const Typeface& typeface) {
+    const double half = typeface.width(text, size) / 2.0;
+    draw_text(canvas, {text, size, {left.x + half, left.y}}, TextDirection::along_rows, kTextInk,
+              kPaper, typeface);
+}
+
 void draw_scale_bar(Canvas& canvas, const ScaleBar& bar, const Typeface& typeface) {
     Shape shape;
     shape.add_polygon(bar.outline());
     canvas.fill(std::move(shape), kTextInk);
-    const double half = typeface.width(bar.text, bar.text_size) / 2.0;
-    const Point left = bar.text_left();
-    const TextLine text{bar.text, bar.text_size, {left.x + half, left.y}};
-    draw_text(canvas, text, TextDirection::along_rows, kTextInk, kPaper, typeface);
+    draw_text_from(canvas, bar.text, bar.text_size, bar.text_left(), typeface);
+}
+
+void draw_legend(Canvas& canvas, const std::vector<LegendLine>& legend, const Typeface& typeface) {
+    for (const LegendLine& line : legend) {
+        Shape fill;
+        Shape border;
+        fill.add_polygon(line.swatch());
+        border.add_closed_line(line.swatch(), kSwatchBorder * line.size);
+        canvas.fill(std::move(fill), line.ink);
+        canvas.fill(std::move(border), line.border_ink);
+        draw_text_from(canvas, line.text, line.size, line.text_left(), typeface);
+    }
 }
 
 }  // namespace
@@ -107,6 +132,7 @@ void draw_plan(Canvas& canvas, const FloorPlan& plan, const Typeface& typeface) 
     fill_rings(canvas, plan, plan.walls, kWallInk);
     draw_doors(canvas, plan);
     draw_labels(canvas, plan, typeface);
+    draw_legend(canvas, plan.legend, typeface);
     if (plan.scale_bar.length > 0.0) draw_scale_bar(canvas, plan.scale_bar, typeface);
 }
 

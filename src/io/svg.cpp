@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -125,11 +126,28 @@ void append_text(std::string& svg, const TextLine& line, TextDirection direction
                  std::string_view style) {
     svg += "<text" + attribute("x", line.anchor.x) + attribute("y", line.anchor.y) +
            attribute("font-size", line.size) + std::string(style);
-    if (direction == TextDirection::upwards) {
-        svg += attribute("transform", "rotate(-90 " + rounded(line.anchor.x, kPixelDecimals) + " " +
+    if (direction != TextDirection::along_rows) {
+        svg += attribute("transform", "rotate(" + std::to_string(-static_cast<int>(direction)) +
+                                          " " + rounded(line.anchor.x, kPixelDecimals) + " " +
                                           rounded(line.anchor.y, kPixelDecimals) + ")");
     }
     svg += ">" + escaped(line.text) + "</text>\n";
+}
+
+void append_leaders(std::string& svg, const FloorPlan& plan) {
+    std::string leaders;
+    for (const RoomLabel& label : plan.labels) {
+        if (!label.leader) continue;
+        const auto& [from, to] = *label.leader;
+        leaders += "<line" + attribute("x1", from.x) + attribute("y1", from.y) +
+                   attribute("x2", to.x) + attribute("y2", to.y) + "/>\n<circle" +
+                   attribute("cx", from.x) + attribute("cy", from.y) +
+                   attribute("r", kLeaderDot * plan.leader_width) + " stroke=\"none\"/>\n";
+    }
+    if (leaders.empty()) return;
+    svg += "<g id=\"leaders\" pointer-events=\"none\"" + attribute("fill", to_hex(kTextInk)) +
+           attribute("stroke", to_hex(kTextInk)) + attribute("stroke-width", plan.leader_width) +
+           ">\n" + leaders + "</g>\n";
 }
 
 void append_labels(std::string& svg, const FloorPlan& plan) {
@@ -139,7 +157,7 @@ void append_labels(std::string& svg, const FloorPlan& plan) {
         "stroke-linejoin=\"round\" stroke-opacity=\"" +
         rounded(kHaloOpacity) + "\"" + attribute("fill", to_hex(kTextInk)) + ">\n";
     for (const RoomLabel& label : plan.labels) {
-        const Rgb room = plan.rooms[label.room - 1].color;
+        const Rgb room = label.leader ? kPaper : plan.rooms[label.room - 1].color;
         const auto halo = [&](const TextLine& line) {
             return attribute("stroke", to_hex(room)) + attribute("stroke-width", kHalo * line.size);
         };
@@ -152,14 +170,31 @@ void append_labels(std::string& svg, const FloorPlan& plan) {
     svg += "</g>\n";
 }
 
-void append_scale_bar(std::string& svg, const ScaleBar& bar) {
+std::string path_of(std::span<const Point> points) {
     std::string path;
-    for (const Point& point : bar.outline()) {
+    for (const Point& point : points) {
         path += (path.empty() ? "M" : "L") + rounded(point.x, kPixelDecimals) + " " +
                 rounded(point.y, kPixelDecimals);
     }
+    return attribute("d", path + "z");
+}
+
+void append_legend(std::string& svg, const std::vector<LegendLine>& legend) {
+    if (legend.empty()) return;
+    svg += "<g id=\"legend\"" + attribute("fill", to_hex(kTextInk)) + ">\n";
+    for (const LegendLine& line : legend) {
+        svg += "<path" + path_of(line.swatch()) + attribute("fill", to_hex(line.ink)) +
+               attribute("stroke", to_hex(line.border_ink)) +
+               attribute("stroke-width", kSwatchBorder * line.size) + "/><text" +
+               attribute("x", line.text_left().x) + attribute("y", line.text_left().y) +
+               attribute("font-size", line.size) + ">" + escaped(line.text) + "</text>\n";
+    }
+    svg += "</g>\n";
+}
+
+void append_scale_bar(std::string& svg, const ScaleBar& bar) {
     svg += "<g id=\"scale-bar\"" + attribute("fill", to_hex(kTextInk)) + ">\n<path" +
-           attribute("d", path + "z") + "/>\n<text" + attribute("x", bar.text_left().x) +
+           path_of(bar.outline()) + "/>\n<text" + attribute("x", bar.text_left().x) +
            attribute("y", bar.text_left().y) + attribute("font-size", bar.text_size) + ">" +
            bar.text + "</text>\n</g>\n";
 }
@@ -188,7 +223,9 @@ std::string render_svg(const FloorPlan& plan) {
     append_layer(svg, "walls", plan.walls, kWallInk);
     svg += "</g>\n";
     append_doors(svg, plan);
+    append_leaders(svg, plan);
     append_labels(svg, plan);
+    append_legend(svg, plan.legend);
     append_scale_bar(svg, plan.scale_bar);
     return svg + "</svg>\n";
 }

@@ -3,10 +3,12 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/map/enclosed_patches.hpp"
 #include "quadcut/segment/label_tally.hpp"
 
 namespace quadcut {
@@ -14,6 +16,11 @@ namespace {
 
 constexpr double kCorridorMinElongation = 3.5;
 constexpr double kCorridorMaxWidthM = 4.5;
+/// So long, and so long for its usual width, a room is a passage, be there a lobby in it or no
+/// door.
+constexpr double kPassageMinElongation = 10.0;
+constexpr double kPassageMinLengthM = 15.0;
+constexpr double kPassageMaxWidthM = 6.0;
 constexpr double kHallMinAreaM2 = 80.0;
 constexpr std::size_t kRowsPerChunk = 64;
 
@@ -51,12 +58,10 @@ struct Shape {
     float depth_m = -1.0F;
 };
 
-std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint32_t count,
-                                  const GridMap& map, const Layout& layout,
-                                  const Executor& executor, Raster<float> memory) {
-    const Raster<float> depth = clearance_m(interior_of_regions(labels, executor), map.resolution_m,
-                                            executor, std::move(memory));
-    auto shapes = tally_by_label<Shape>(
+std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, const GridMap& map,
+                                  const Layout& layout, const Raster<float>& depth,
+                                  const Executor& executor) {
+    return tally_by_label<Shape>(
         labels, executor,
         [&](Shape& shape, const LabelRun& run) {
             const Cell first = labels.cell(run.offset);
@@ -83,17 +88,75 @@ std::vector<Shape> measure_shapes(const Raster<std::uint32_t>& labels, std::uint
                 shape.deepest = other.deepest;
             }
         });
-    shapes.resize(count + std::size_t{1});
-    return shapes;
 }
 
-/// A corridor is long for its width and leads somewhere; a hall is large.
-RoomKind kind_of(const Shape& shape, double area_m2, double resolution_m, std::size_t num_doors) {
-    const double width_m = 2.0 * (static_cast<double>(shape.depth_m) + resolution_m);
-    const double elongation = area_m2 / (width_m * width_m);
-    if (elongation >= kCorridorMinElongation && width_m <= kCorridorMaxWidthM && num_doors >= 2) {
-        return RoomKind::corridor;
-    }
+/// Every second cell of every second row, which is fine enough for widths, with what stands in a
+/// region as part of it.
+Raster<std::uint32_t> sample_filled_regions(const Raster<std::uint32_t>& labels,
+                                            double resolution_m, const Executor& executor) {
+    Raster<std::uint32_t> samples({0, 0}, (labels.width + 1) / 2, (labels.height + 1) / 2);
+    const auto width = static_cast<std::size_t>(labels.width);
+    const auto num_columns = static_cast<std::size_t>(samples.width);
+    parallel_for(executor, static_cast<std::size_t>(samples.height), kRowsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t y = first; y < last; ++y) {
+                         const std::uint32_t* const row = &labels.values[2 * y * width];
+                         std::uint32_t* const to = &samples.values[y * num_columns];
+                         for (std::size_t x = 0; x < num_columns; ++x) to[x] = row[2 * x];
+                     }
+                 });
+    const auto is_room = [](std::uint32_t label) { return label != 0; };
+    enclosed_patches(labels, is_room, max_furniture_cells(resolution_m), executor)
+        .for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
+            const std::size_t y = first / width;
+            if (y % 2 != 0) return;
+            std::uint32_t* const to = &samples.values[y / 2 * num_columns];
+            std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
+        });
+    return samples;
+}
+
+/// A region and what stands in it: how far its cells are from its outer border.
+struct Outline {
+    std::size_t num_cells = 0;
+    double sum_depth_m = 0.0;
+    float max_depth_m = 0.0F;
+};
+
+/// Of each region of a raster; `memory` as of clearance_m().
+std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& regions, double resolution_m,
+                                      const Executor& executor, Raster<float> memory) {
+    const Raster<float> depth = clearance_m(interior_of_regions(regions, executor), resolution_m,
+                                            executor, std::move(memory));
+    return tally_by_label<Outline>(
+        regions, executor,
+        [&](Outline& outline, const LabelRun& run) {
+            const float* const depths = &depth.values[run.offset];
+            outline.num_cells += run.num_cells;
+            outline.sum_depth_m =
+                std::accumulate(depths, depths + run.num_cells, outline.sum_depth_m);
+            outline.max_depth_m = largest(depths, run.num_cells, outline.max_depth_m);
+        },
+        [](Outline& outline, const Outline& other) {
+            outline.num_cells += other.num_cells;
+            outline.sum_depth_m += other.sum_depth_m;
+            outline.max_depth_m = std::max(outline.max_depth_m, other.max_depth_m);
+        });
+}
+
+/// A corridor is long for its width and leads somewhere, or is very long; a hall is large.
+RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_doors) {
+    const auto num_cells = static_cast<double>(std::max<std::size_t>(outline.num_cells, 1));
+    const double area_m2 = num_cells * resolution_m * resolution_m;
+    const double widest_m = 2.0 * (static_cast<double>(outline.max_depth_m) + resolution_m);
+    // Between parallel walls, cells are a quarter of the width from them in the mean.
+    const double usual_width_m = 4.0 * (outline.sum_depth_m / num_cells + resolution_m);
+    const bool leads_on = num_doors >= 2 && widest_m <= kCorridorMaxWidthM &&
+                          area_m2 >= kCorridorMinElongation * widest_m * widest_m;
+    const double length_m = area_m2 / usual_width_m;
+    const bool is_passage = usual_width_m <= kPassageMaxWidthM && length_m >= kPassageMinLengthM &&
+                            length_m >= kPassageMinElongation * usual_width_m;
+    if (leads_on || is_passage) return RoomKind::corridor;
     return area_m2 >= kHallMinAreaM2 ? RoomKind::hall : RoomKind::room;
 }
 
@@ -106,38 +169,6 @@ std::string default_name(RoomKind kind, RoomId id) {
     return word + std::to_string(index(id));
 }
 
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layout& layout,
-                                      const Executor& executor) {
-    struct First {
-        Cell cell;
-        std::uint32_t label = 0;
-        bool operator<(const First& other) const {
-            if ((label == 0) != (other.label == 0)) return label != 0;
-            return std::pair{-cell.y, cell.x} < std::pair{-other.cell.y, other.cell.x};
-        }
-    };
-    std::vector<First> firsts = tally_by_label<First>(
-        labels, executor,
-        [&](First& first, const LabelRun& run) {
-            // Of a run one end or the other comes first, however it is turned.
-            for (const std::size_t end : {run.offset, run.offset + run.num_cells - 1}) {
-                const First own{layout.source(labels.cell(end)), labels.values[end]};
-                if (own < first) first = own;
-            }
-        },
-        [](First& first, const First& other) {
-            if (other < first) first = other;
-        });
-    std::vector<std::uint32_t> number(firsts.size(), 0);
-    std::sort(firsts.begin(), firsts.end());
-    std::uint32_t count = 0;
-    for (const First& first : firsts) {
-        if (first.label != 0) number[first.label] = ++count;
-    }
-    renumber(labels, number, executor);
-    return count;
-}
-
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
                                  const GridMap& map, const Layout& layout,
                                  const std::vector<Door>& doors, const Executor& executor,
@@ -147,8 +178,15 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         ++num_doors[index(door.a)];
         ++num_doors[index(door.b)];
     }
-    const std::vector<Shape> shapes =
-        measure_shapes(labels, count, map, layout, executor, std::move(memory));
+    Raster<float> depth = clearance_m(interior_of_regions(labels, executor), map.resolution_m,
+                                      executor, std::move(memory));
+    std::vector<Shape> shapes = measure_shapes(labels, map, layout, depth, executor);
+    const double sample_m = 2.0 * map.resolution_m;
+    std::vector<Outline> outlines =
+        measure_outlines(sample_filled_regions(labels, map.resolution_m, executor), sample_m,
+                         executor, std::move(depth));
+    shapes.resize(count + std::size_t{1});
+    outlines.resize(count + std::size_t{1});
     const LaidOutFrame frame{layout, map.resolution_m, map.map_from_image};
     std::vector<Room> rooms;
     rooms.reserve(count);
@@ -158,7 +196,7 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         Room room;
         room.id = RoomId{id};
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
-        room.kind = kind_of(shape, room.area_m2, map.resolution_m, num_doors[id]);
+        room.kind = kind_of(outlines[id], sample_m, num_doors[id]);
         room.name = default_name(room.kind, room.id);
         room.centroid = frame.in_map({shape.sum_x / num_cells, shape.sum_y / num_cells});
         room.label_point = frame.in_map({shape.deepest.x + 0.5, shape.deepest.y + 0.5});

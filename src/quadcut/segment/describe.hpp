@@ -14,12 +14,6 @@
 
 namespace quadcut {
 
-/// Renumbers regions 1 .. count in the reading order of the map that was laid out (first cell from
-/// the top left), without gaps.
-/// Returns the new count. O(cells).
-std::uint32_t number_in_reading_order(Raster<std::uint32_t>& labels, const Layout& layout,
-                                      const Executor& executor = {});
-
 /// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
 [[nodiscard]] std::string default_name(RoomKind kind, RoomId id);
 

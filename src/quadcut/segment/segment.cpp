@@ -18,6 +18,7 @@
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/no_rooms.hpp"
 #include "quadcut/segment/pieces.hpp"
+#include "quadcut/segment/reading_order.hpp"
 #include "quadcut/segment/rooms.hpp"
 
 namespace quadcut {
@@ -31,7 +32,7 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
               const Layout& layout, StageClock& clock, const Executor& executor,
               Segmentation& result) {
     clock.begin("doors");
-    const std::uint32_t count = number_in_reading_order(labels, layout, executor);
+    const std::uint32_t count = number_by_first_cells(labels, layout, executor);
     if (count > kMaxRoomId) {
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
@@ -46,6 +47,7 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
     for_each_laid_out(result.labels, layout, executor, [&](std::size_t from, std::size_t to) {
         result.labels.values[to] = static_cast<std::uint16_t>(labels.values[from]);
     });
+    number_in_reading_order(result, map, executor);
 }
 
 /// What is cut: connected free space, without specks and without the ground outside, laid out so

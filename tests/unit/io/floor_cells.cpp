@@ -74,7 +74,7 @@ TEST(FloorCells, LargeObstaclesAreNoFurniture) {
         return sorted(test::drawn_floor(rows, 1, resolution_m))[1];
     };
     EXPECT_EQ(with_resolution(0.5), "aaFFFaa");
-    EXPECT_EQ(with_resolution(1.5), "aa###aa");
+    EXPECT_EQ(with_resolution(2.0), "aa###aa") << "24 m2";
 }
 
 TEST(FloorCells, FillTheInsideOfAWall) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/svg.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "io/image.hpp"
@@ -76,8 +78,10 @@ TEST(FloorPlan, PutsDoorsOnThePageWhateverTheFrame) {
 
 TEST(FloorPlan, OfALargeMapIsSmallerThanIt) {
     test::DrawnFloor floor = test::drawn_floor({std::string(9000, 'a')});
-    EXPECT_LE(plan_of(floor).page_width, 8192);
-    EXPECT_GT(plan_of(floor).page_width, 8000);
+    const FloorPlan plan = plan_of(floor);
+    EXPECT_NEAR(2.0 * plan.pixels_per_half_cell * 9000, 8000, 1.0);
+    ASSERT_EQ(plan.legend.size(), 1U) << "there is no space for a name in one row of cells";
+    EXPECT_LE(plan.page_width, 8192 + 300);
     floor = test::drawn_floor({std::string(3000, 'a')});
     EXPECT_EQ(plan_of(floor).pixels_per_half_cell, 0.5);
 }
@@ -91,7 +95,7 @@ TEST(Svg, HasAPathATooltipAndALabelForEachRoom) {
     EXPECT_EQ(count(svg, ">Room 2</text>"), 1U);
     EXPECT_EQ(count(svg, "<line id=\"door-1\""), 1U);
     EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
-    EXPECT_LT(svg.size(), 6000U);
+    EXPECT_LT(svg.size(), 6500U);
 }
 
 TEST(FloorPlan, LabelsStandBesideFurniture) {
@@ -109,6 +113,92 @@ TEST(FloorPlan, LabelsStandBesideFurniture) {
     }
     EXPECT_LT(label_row(plan_of(floor)), 2.2);
     EXPECT_EQ(plan_of(floor).labels[0].name.size, empty.labels[0].name.size);
+}
+
+/// A closet of 2 x 2 cells beside a hall; named so that there is no space for the name.
+test::DrawnFloor closet_and_hall() {
+    test::DrawnFloor floor =
+        test::drawn_floor({"##########", "#bbbbbbbb#", "#bbbbbbbb#", "#bbbbbbbb#", "#bbbbbbbb#",
+                           "####.#####", "   #a#    ", "   ###    "},
+                          14);
+    floor.segmentation.rooms[0].name = "A closet for brooms and other things that nobody wants";
+    return floor;
+}
+
+TEST(FloorPlan, ARoomThatIsTooSmallForItsNameHasItsNumberAndALegend) {
+    const FloorPlan plan = plan_of(closet_and_hall());
+    ASSERT_EQ(plan.labels.size(), 2U);
+    const auto label = std::find_if(plan.labels.begin(), plan.labels.end(),
+                                    [](const RoomLabel& other) { return other.room == 1; });
+    EXPECT_EQ(label->name.text, "1");
+    EXPECT_FALSE(label->leader);
+    ASSERT_FALSE(plan.legend.empty());
+    EXPECT_EQ(plan.legend[0].text,
+              "1: A closet for brooms and other things that nobody wants, 0.5 m\u00B2");
+    EXPECT_EQ(plan.legend[0].ink, plan.rooms[0].color);
+    EXPECT_GT(plan.legend[0].left.x, plan.drawing_origin.x + 140 * 2.0 * plan.pixels_per_half_cell);
+    EXPECT_LT(plan.legend[0].left.x, plan.page_width);
+    EXPECT_TRUE(plan_of(two_rooms()).legend[0].text == "furniture") << "no room is in its legend";
+}
+
+TEST(FloorPlan, ARoomTooSmallForItsNumberHasItBeside) {
+    // Splinters of one cell's width among 600 columns.
+    test::DrawnFloor floor = test::drawn_floor(
+        {std::string(1500, ' '), std::string(1500, 'a'), std::string(1500, ' ')}, 1);
+    for (std::int32_t y = 0; y < 2; ++y) {
+        for (std::int32_t x = 0; x < 1500; ++x) {
+            if (y == 1 && x == 700) floor.segmentation.labels.at({x, y}) = 1;
+        }
+    }
+    const FloorPlan plan = plan_of(floor);
+    ASSERT_EQ(plan.labels.size(), 1U);
+    ASSERT_TRUE(plan.labels[0].leader);
+    EXPECT_EQ(plan.labels[0].name.text, "1");
+    const std::string svg = render_svg(plan);
+    EXPECT_EQ(count(svg, "<g id=\"leaders\""), 1U);
+    EXPECT_EQ(count(svg, "<circle"), 1U);
+    EXPECT_EQ(count(svg, ">Room 1, "), 1U) << "in the legend";
+    const FloorPlan half = placed(plan, 0.5, {10.0, 0.0});
+    EXPECT_EQ(half.labels[0].leader->from.x, plan.labels[0].leader->from.x / 2.0 + 10.0);
+    EXPECT_EQ(half.legend[0].left.x, plan.legend[0].left.x / 2.0 + 10.0);
+}
+
+TEST(FloorPlan, SaysWhatFurnitureAndDoorsAreWhereThereAreAny) {
+    const FloorPlan plan = plan_of(two_rooms());
+    ASSERT_EQ(plan.legend.size(), 2U);
+    EXPECT_EQ(plan.legend[0].text, "furniture");
+    EXPECT_EQ(plan.legend[0].ink, kFurnitureInsideInk);
+    EXPECT_EQ(plan.legend[1].text, "door");
+    EXPECT_EQ(plan.legend[1].ink, kDoorInk);
+    EXPECT_TRUE(plan_of(test::drawn_floor({"aaa", "aaa"}, 40)).legend.empty());
+    FloorPlan bare = plan;
+    bare.remove_text();
+    EXPECT_TRUE(bare.legend.empty());
+    EXPECT_TRUE(bare.labels.empty());
+    EXPECT_EQ(bare.scale_bar.length, 0.0);
+}
+
+TEST(FloorPlan, TheTextOfASlantedCorridorRunsAlongIt) {
+    // 1.2 m wide, 14 m long, up by 27 degrees.
+    test::DrawnFloor floor = test::drawn_floor({std::string(300, ' ')}, 1);
+    floor.map.states = Raster<CellState>({0, 0}, 300, 180);
+    floor.segmentation.labels = Raster<std::uint16_t>({0, 0}, 300, 180);
+    for (std::int32_t x = 10; x < 290; ++x) {
+        for (std::int32_t y = x / 2; y < x / 2 + 26; ++y) {
+            floor.map.states.at({x, y}) = CellState::free;
+            floor.segmentation.labels.at({x, y}) = 1;
+        }
+    }
+    Room corridor;
+    corridor.id = RoomId{1};
+    corridor.name = "corridor to the laboratories 1";
+    corridor.centroid = corridor.label_point = {7.5, 4.4};
+    floor.segmentation.rooms = {corridor};
+    const FloorPlan plan = plan_of(floor);
+    ASSERT_EQ(plan.labels.size(), 1U);
+    EXPECT_EQ(plan.labels[0].name.text, corridor.name);
+    EXPECT_EQ(static_cast<int>(plan.labels[0].direction), 30);
+    EXPECT_GE(count(render_svg(plan), "transform=\"rotate(-30 "), 1U);
 }
 
 TEST(FloorPlan, CanBePlacedOnAnotherPage) {

@@ -171,17 +171,6 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
         << "the narrow one is out";
 }
 
-TEST(Describe, NumbersRunInReadingOrder) {
-    Raster<std::uint32_t> labels = drawn_labels({"..e.c", "b.e.c"});
-    EXPECT_EQ(number_in_reading_order(labels, as_it_lies(labels.box())), 3U);
-    EXPECT_EQ(as_drawing(labels), (Rows{"..a.b", "c.a.b"}));
-    // In the reading order of the map, however it is laid out.
-    Layout mirrored = as_it_lies(labels.box());
-    mirrored.is_x_reversed = true;
-    EXPECT_EQ(number_in_reading_order(labels, mirrored), 3U);
-    EXPECT_EQ(as_drawing(labels), (Rows{"..b.a", "c.b.a"}));
-}
-
 TEST(Describe, ARoomHasAreaCentroidAndAFreeLabelPoint) {
     // A U: its centroid is outside of it.
     const GridMap drawing = drawn_map({"....####....", "....####....", "....####....",

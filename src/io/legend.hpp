@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/palette.hpp"
+#include "io/typeface.hpp"
+#include "quadcut/base/geometry.hpp"
+
+namespace quadcut::io {
+
+/// A patch of colour and what it stands for. Pixels, y down.
+struct LegendLine {
+    Rgb ink;
+    Rgb border_ink;
+    std::string text;
+    /// The left end of the base line.
+    Point left;
+    /// Of the letters.
+    double size = 0.0;
+
+    /// The corners of the patch.
+    [[nodiscard]] std::array<Point, 4> swatch() const;
+    [[nodiscard]] Point text_left() const;
+};
+
+/// The line around a patch, of the letters' size.
+inline constexpr double kSwatchBorder = 0.09;
+
+/// How far a line reaches.
+[[nodiscard]] double width_of(const LegendLine& line, const Typeface& typeface);
+
+/// Sets the lines one below the other, in columns from `corner`, the upper left one, at most
+/// `height` high. Returns how wide they are together.
+double set_in_columns(std::vector<LegendLine>& lines, const Point& corner, double height,
+                      const Typeface& typeface);
+
+}  // namespace quadcut::io
