@@ -14,6 +14,7 @@
 #include "apps/help.hpp"
 #include "apps/message.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/parallel.hpp"
 
 namespace quadcut {
 namespace {
@@ -42,6 +43,11 @@ void run(std::span<const std::string> words) {
         return;
     }
     command.run(arguments);
+    if (const int count = num_threads_missing(); count > 0) {
+        print_warnings({std::to_string(count) +
+                        " of the threads that were asked for could not be "
+                        "started (see 'ulimit -u' and 'ulimit -v'); fewer did the same work"});
+    }
 }
 
 /// Runs the program and turns what goes wrong into one line and an exit code.
