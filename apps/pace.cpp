@@ -21,10 +21,10 @@ constexpr double kIdleS = 0.2;
 
 std::string text_of_span(double span_s) {
     constexpr std::array<std::pair<double, const char*>, 4> kUnits{
-        {{365.25 * 86'400, "years"}, {86'400, "days"}, {3'600, "hours"}, {60, "minutes"}}};
+        {{60, "minutes"}, {3'600, "hours"}, {86'400, "days"}, {365.25 * 86'400, "years"}}};
     std::pair<double, const char*> unit{1, "seconds"};
-    for (auto it = kUnits.rbegin(); it != kUnits.rend(); ++it) {
-        if (span_s >= 2.0 * it->first) unit = *it;
+    for (const auto& longer : kUnits) {
+        if (span_s >= 2.0 * longer.first) unit = longer;
     }
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "%.3g %s", span_s / unit.first, unit.second);

@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -18,7 +19,11 @@ namespace {
 
 /// Loops follow each other closely: who is out of work looks for more so often before he sleeps,
 /// which waking up from takes longer than many a loop.
-constexpr int kLooksBeforeSleep = 1000;
+template <typename Condition>
+void look_until(const Condition& holds) {
+    constexpr int kLooksBeforeSleep = 1000;
+    for (int i = 0; i < kLooksBeforeSleep && !holds(); ++i) std::this_thread::yield();
+}
 
 /// How many threads a limit of the address space (ulimit -v) allows: a quarter of it may be theirs.
 /// Stack and heap of one take so much of it, used or not.
@@ -43,88 +48,63 @@ struct Loop {
 /// does all of it that nobody helps with, so that none waits for a thread.
 class Crew {
 public:
-    Crew() = default;
-    Crew(const Crew&) = delete;
-    Crew& operator=(const Crew&) = delete;
-    ~Crew() {
-        {
-            const std::lock_guard lock(mutex_);
-            is_over_ = true;
-        }
-        wake_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
-
     void run(Loop& loop) {
-        open(loop);
+        std::unique_lock lock(mutex_);
+        start(loop.num_places);
+        loops_.push_back(&loop);
+        ++num_open_;
+        lock.unlock();
         wake_.notify_all();
         work_on(loop);
-        close(loop);
+        lock.lock();
+        loops_.erase(std::find(loops_.begin(), loops_.end(), &loop));
+        --num_open_;
+        lock.unlock();
+        look_until([&] { return loop.num_helpers == 0; });
+        // Also when none is left: the last one may not have let go of the loop yet.
+        lock.lock();
+        done_.wait(lock, [&] { return loop.num_helpers == 0; });
         if (loop.error) std::rethrow_exception(loop.error);
     }
 
     [[nodiscard]] int num_missing() const { return num_missing_; }
 
 private:
-    void open(Loop& loop) {
-        const std::lock_guard lock(mutex_);
-        start(loop.num_places);
-        loops_.push_back(&loop);
-        ++num_open_;
-    }
-
-    void close(Loop& loop) {
-        std::unique_lock lock(mutex_);
-        loops_.erase(std::find(loops_.begin(), loops_.end(), &loop));
-        --num_open_;
-        lock.unlock();
-        for (int i = 0; i < kLooksBeforeSleep && loop.num_helpers > 0; ++i) {
-            std::this_thread::yield();
-        }
-        // Also when none is left: the last one may not have let go of the loop yet.
-        lock.lock();
-        done_.wait(lock, [&] { return loop.num_helpers == 0; });
-    }
-
     void start(int num_wanted) {
+        const auto num_missing = [&] { return num_wanted - static_cast<int>(threads_.size()); };
         try {
-            while (num_threads() < std::min(num_wanted, num_most_)) {
-                threads_.emplace_back([this] { serve(); });
+            while (num_missing() > 0 && static_cast<int>(threads_.size()) < num_most_) {
+                threads_.emplace_back([this](const std::stop_token& end) { serve(end); });
             }
         } catch (const std::exception&) {
             // A limit of processes or memory, which the next loop would meet again.
-            num_most_ = num_threads();
+            num_most_ = static_cast<int>(threads_.size());
         }
-        num_missing_ = std::max<int>(num_missing_, num_wanted - num_threads());
+        num_missing_ = std::max<int>(num_missing_, num_missing());
     }
 
-    [[nodiscard]] int num_threads() const { return static_cast<int>(threads_.size()); }
-
-    void serve() {
+    void serve(const std::stop_token& end) {
         std::unique_lock lock(mutex_);
-        while (true) {
-            lock.unlock();
-            for (int i = 0; i < kLooksBeforeSleep && num_open_ == 0; ++i) {
-                std::this_thread::yield();
-            }
-            lock.lock();
-            Loop* loop = nullptr;
-            wake_.wait(lock, [&] { return is_over_ || (loop = find_open()) != nullptr; });
-            if (is_over_) return;
+        Loop* loop = nullptr;
+        while (wake_.wait(lock, end, [&] { return (loop = find_open()) != nullptr; })) {
             --loop->num_places;
             ++loop->num_helpers;
             lock.unlock();
             work_on(*loop);
             lock.lock();
             if (--loop->num_helpers == 0) done_.notify_all();
+            lock.unlock();
+            look_until([&] { return num_open_ > 0; });
+            lock.lock();
         }
     }
 
     [[nodiscard]] Loop* find_open() const {
-        for (Loop* const loop : loops_) {
-            if (loop->num_places > 0 && loop->next < loop->num_chunks) return loop;
-        }
-        return nullptr;
+        const auto is_open = [](const Loop* loop) {
+            return loop->num_places > 0 && loop->next < loop->num_chunks;
+        };
+        const auto found = std::find_if(loops_.begin(), loops_.end(), is_open);
+        return found == loops_.end() ? nullptr : *found;
     }
 
     void work_on(Loop& loop) {
@@ -138,14 +118,14 @@ private:
     }
 
     std::mutex mutex_;
-    std::condition_variable wake_;
+    std::condition_variable_any wake_;
     std::condition_variable done_;
-    std::vector<std::thread> threads_;
-    int num_most_ = num_allowed();
     std::vector<Loop*> loops_;
     std::atomic<int> num_open_ = 0;
     std::atomic<int> num_missing_ = 0;
-    bool is_over_ = false;
+    int num_most_ = num_allowed();
+    // Last, so that they end before what they use.
+    std::vector<std::jthread> threads_;
 };
 
 Crew& crew() {
