@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/pace.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
@@ -43,42 +42,11 @@ std::vector<OptionField> play_fields(PlayChoice& choice) {
     std::vector<OptionField> fields;
     fields.push_back({"every", "scans", 0, 1e9, "writes the results so often; 0: at the end", "",
                       &choice.every});
-    fields.push_back({"speed", "", 0.0, 1e6, "times as fast as the robot was; 0: as fast as it can",
-                      "", &choice.speed});
+    fields.push_back({"speed", "", 0.0, 1e6,
+                      "times as fast as the robot was, no wait above 5 s; 0: as fast as it can", "",
+                      &choice.speed});
     return fields;
 }
-
-/// Waits until a scan is due, and refines rooms meanwhile.
-class Pace {
-public:
-    explicit Pace(double speed) : speed_(speed) {}
-
-    void wait_for_next(FollowSession& session) {
-        const Scan& scan = session.next();
-        if (speed_ <= 0.0 || !std::isfinite(scan.time_s)) return;
-        if (!is_started_) {
-            is_started_ = true;
-            start_ = std::chrono::steady_clock::now();
-            start_s_ = scan.time_s;
-        }
-        // Time stamps may run backwards; then nothing is waited for.
-        const std::chrono::duration<double> due((scan.time_s - start_s_) / speed_);
-        while (std::chrono::steady_clock::now() - start_ + kIdle < due) {
-            if (!session.refine()) break;
-        }
-        std::this_thread::sleep_until(start_ +
-                                      std::chrono::duration_cast<std::chrono::nanoseconds>(due));
-    }
-
-private:
-    /// A refinement may take so long.
-    static constexpr std::chrono::milliseconds kIdle{200};
-
-    double speed_;
-    bool is_started_ = false;
-    std::chrono::steady_clock::time_point start_;
-    double start_s_ = 0.0;
-};
 
 void write(io::FileBatch& output, const FollowSession& session, const Segmentation& rooms,
            const io::RunInfo& info) {
@@ -128,9 +96,9 @@ void run(const Arguments& arguments) {
     info.input_hash = log.content_hash;
     FollowSession session = begin_session(arguments, options, log);
     const Follower& follower = session.follower();
-    Pace pace(play.speed);
+    Pace pace(play.speed, machine_clock());
     while (!session.is_done()) {
-        pace.wait_for_next(session);
+        pace.wait_for(session.next().time_s, [&session] { return session.refine(); });
         session.add_next();
         progress.update(session.num_done(), log.scans.size(),
                         {"scans", [&session] { return session.story(); }});
@@ -158,6 +126,7 @@ void run(const Arguments& arguments) {
     write(output, session, rooms, info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
+    if (const auto warning = pace.warning()) print_warnings({*warning});
     device.print_notes(options.segment);
     print_summary({rooms, {}, start, io::display_name(output_folder(arguments)), followed_files()},
                   summary_style_of(arguments));

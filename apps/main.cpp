@@ -18,6 +18,7 @@
 #include "apps/help.hpp"
 #include "apps/message.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/parallel.hpp"
 
 namespace quadcut {
 namespace {
@@ -52,6 +53,11 @@ int run(std::span<const std::string> words) {
     }
     if (command.answer != nullptr) return command.answer(arguments);
     command.run(arguments);
+    if (const int count = num_threads_missing(); count > 0) {
+        print_warnings({std::to_string(count) +
+                        " of the threads that were asked for could not be "
+                        "started (see 'ulimit -u' and 'ulimit -v'); fewer did the same work"});
+    }
     return kDone;
 }
 

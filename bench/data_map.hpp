@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/cases.hpp"
+#include "bench/shared_folder.hpp"
 #include "io/label_image.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/map/grid_map.hpp"
@@ -26,7 +27,7 @@ struct DataMap {
 /// Those of one building, or all; by name. None when the data is not there.
 inline std::vector<DataMap> read_data_maps(const std::string& building = "") {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::path(QUADCUT_SHARED_DIR) / "data/rooms";
+    const fs::path folder = shared_path("data/rooms");
     std::vector<DataMap> maps;
     if (!fs::exists(folder)) return maps;
     for (const auto& entry : fs::directory_iterator(folder)) {

@@ -45,6 +45,17 @@ TEST(MapOfLog, OneScanSeesHalfARoom) {
     EXPECT_NEAR(map.map_from_image.y, -2.0, 0.11);
 }
 
+TEST(FollowedLog, SlowAHoleOfYearsHoldsNobodyUp) {
+    const Folder folder;
+    const std::string log =
+        folder.write("hole.log", room_scan(0, 0, 100.0) + room_scan(0, 0, 1.5e9));
+    const Outcome outcome = run_quadcut({"follow", log, "-o", folder / "out", "--speed", "1000"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: the time stamps have 1 hole, the longest of 47.5 years"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST(MapOfLog, Resolution) {
     const Folder folder;
     const std::string log = folder.write("one.log", room_scan(0, 0, 1));

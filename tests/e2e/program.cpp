@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/shared_folder.hpp"
+
 extern char** environ;
 
 namespace quadcut::test {
@@ -98,9 +100,7 @@ std::map<std::string, std::string> files_below(const std::filesystem::path& fold
     return files;
 }
 
-std::filesystem::path shared(std::string_view relative_path) {
-    return std::filesystem::path(QUADCUT_SHARED_DIR) / relative_path;
-}
+std::filesystem::path shared(std::string_view relative_path) { return shared_path(relative_path); }
 
 std::string drawn_pgm(const std::vector<std::string>& lines, int scale) {
     constexpr char kOccupied = 0;

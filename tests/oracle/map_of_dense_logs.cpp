@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/shared_folder.hpp"
 #include "io/carmen.hpp"
 #include "quadcut/map/integrate.hpp"
 
@@ -15,9 +16,7 @@ namespace quadcut {
 namespace {
 
 OccupancyMap map_of(const std::string& file) {
-    const std::filesystem::path path =
-        std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs" / file;
-    return map_from_scans(io::read_carmen_log(path).scans, 0.05);
+    return map_from_scans(io::read_carmen_log(shared_path("data/logs/" + file)).scans, 0.05);
 }
 
 struct Agreement {
@@ -57,7 +56,7 @@ class SlowDenseLogs : public testing::TestWithParam<const char*> {};
 
 TEST_P(SlowDenseLogs, BadPosesNeitherEatWallsNorOpenThem) {
     const std::string name = GetParam();
-    const std::filesystem::path logs = std::filesystem::path(QUADCUT_SHARED_DIR) / "data/logs";
+    const std::filesystem::path logs = shared_path("data/logs");
     if (!std::filesystem::exists(logs / (name + "_dense.log.gz"))) {
         GTEST_SKIP() << "no data/logs/" << name << "_dense.log.gz";
     }

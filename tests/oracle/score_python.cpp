@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/shared_folder.hpp"
 #include "io/image.hpp"
 #include "io/score.hpp"
 #include "quadcut/base/random.hpp"
@@ -20,7 +21,7 @@
 namespace quadcut::io {
 namespace {
 
-const std::filesystem::path kShared = QUADCUT_SHARED_DIR;
+const std::filesystem::path kShared = shared_path("");
 const std::filesystem::path kRooms = kShared / "data" / "rooms";
 
 /// A pair of label images, and the map if its free cells count.

@@ -7,12 +7,16 @@
 #include <utility>
 
 #include "backends/opencl/self_check.hpp"
+#include "backends/opencl/trial.hpp"
 
 namespace quadcut::opencl {
 namespace {
 
 /// Sight edges a free leaf has, about, on maps of buildings, its loop with them.
 constexpr std::size_t kEdgesPerNode = 6;
+
+/// Drivers compile their kernels in seconds.
+constexpr unsigned kTrialLimitS = 60;
 
 }  // namespace
 
@@ -21,6 +25,19 @@ OpenClAccelerator::Ready::Ready(Device found) : device(std::move(found)), sight(
     if (!device.has_doubles()) return;
     product.emplace(device);
     check_against_cpu(*product);
+}
+
+void OpenClAccelerator::survive_trial(const AcceleratorOptions& options) {
+    // Once in a process: when the driver is in use, a copy of the process has not all of it.
+    static std::mutex mutex;
+    static std::set<std::string> survived;
+    const std::lock_guard lock(mutex);
+    if (survived.count(options.library) != 0) return;
+    const auto begin = [&options] {
+        const Ready ready(Device::find(options.library, options.accept_cpu, options.fault));
+    };
+    try_in_own_process(begin, kTrialLimitS);
+    survived.insert(options.library);
 }
 
 OpenClAccelerator::OpenClAccelerator(AcceleratorOptions options, DeviceNote note)
@@ -72,6 +89,7 @@ bool OpenClAccelerator::run(const StageWork& work, double cpu_s, const Body& bod
     std::string name;
     try {
         if (!ready_) {
+            survive_trial(options_);
             Device device = Device::find(options_.library, options_.accept_cpu, options_.fault);
             name = device.name() + ": ";
             ready_ = std::make_unique<Ready>(std::move(device));

@@ -32,7 +32,8 @@ struct AcceleratorOptions {
 };
 
 /// The best OpenCL device there is, from the first call on that may pay. Before it is used, its
-/// results for a small map are compared with those of the CPU. After a failure it declines all.
+/// results for a small map are compared with those of the CPU, first in a process of its own, so
+/// that a driver that dies of it is no device. After a failure it declines all.
 class OpenClAccelerator final : public Accelerator {
 public:
     OpenClAccelerator(AcceleratorOptions options, DeviceNote note);
@@ -56,6 +57,9 @@ private:
         std::optional<ProductStage> product;
     };
 
+    /// Throws DeviceError when the process that tries all that a device begins with does not
+    /// survive. The trial is made once for each library.
+    static void survive_trial(const AcceleratorOptions& options);
     /// Calls `body` with the device, unless the CPU is quicker; what it returns. False after any
     /// failure.
     template <typename Body>

@@ -34,6 +34,8 @@ enum class Fault : std::uint8_t {
     result,
     /// As `memory`, but not before the device has proved itself.
     late,
+    /// The process ends as soon as a device is looked for.
+    death,
 };
 
 /// A handle of the driver, given back with the last copy of it.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/shared_folder.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 
@@ -13,7 +14,7 @@
 namespace quadcut::io {
 namespace {
 
-const std::filesystem::path kData = std::filesystem::path(QUADCUT_SHARED_DIR) / "data";
+const std::filesystem::path kData = shared_path("data");
 
 std::size_t count(const GridMap& map, CellState state) {
     return static_cast<std::size_t>(
