@@ -92,11 +92,11 @@ std::vector<std::string> write(const std::filesystem::path& folder, const Follow
 FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
                             const PosedLog& log) {
     const std::optional<std::string> project = arguments.value("--project");
-    if (!project) return {options, log.scans};
+    if (!project) return {options, log.scans, log.lines};
     store::LogPosition position;
     position.log = io::display_name(arguments.operands[0]);
     position.log_hash = hash_of(log.scans, log.content_hash);
-    return {options, log.scans, position, *project};
+    return {options, log.scans, log.lines, position, *project};
 }
 
 void run(const Arguments& arguments) {
@@ -113,7 +113,8 @@ void run(const Arguments& arguments) {
     options.segment.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
-    const PosedLog log = read_posed_log(arguments.operands[0], poses_of(arguments), clock);
+    const PosedLog log =
+        read_posed_log(arguments.operands[0], poses_of(arguments), options.resolution_m, clock);
 
     clock.begin("follow");
     io::RunInfo info;

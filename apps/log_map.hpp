@@ -30,15 +30,18 @@ struct LogMap {
 /// The scans of a laser log, in the order of its lines.
 struct PosedLog {
     std::vector<Scan> scans;
+    /// The line of each.
+    std::vector<std::uint64_t> lines;
     std::vector<std::string> warnings;
     std::uint64_t content_hash = 0;
 };
 
-/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). The
-/// stage is `read`. Throws InputError.
+/// Reads a log; `poses` names a file of poses that replace the log's own (see with_poses). Scans
+/// that are too far from the others for one map (see find_far_scans) are left out, with a warning.
+/// The stage is `read`. Throws InputError.
 [[nodiscard]] PosedLog read_posed_log(const std::filesystem::path& log,
                                       const std::optional<std::filesystem::path>& poses,
-                                      StageClock& clock);
+                                      double resolution_m, StageClock& clock);
 
 /// Reads a log as read_posed_log() does and maps it. The stages are `read` and `map`. Throws
 /// InputError.
