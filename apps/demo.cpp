@@ -79,7 +79,7 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     clock.begin("follow");
     Followed followed;
     followed.robot.trajectory = positions(scans);
-    FollowSession session(options, scans);
+    FollowSession session(options, scans, {});
     while (!session.is_done()) {
         session.add_next();
         progress.update(session.num_done(), scans.size(),

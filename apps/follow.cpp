@@ -66,11 +66,11 @@ std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
 FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
                             const PosedLog& log) {
     const std::optional<std::string> project = arguments.value("--project");
-    if (!project) return {options, log.scans};
+    if (!project) return {options, log.scans, log.lines};
     store::LogPosition position;
     position.log = io::display_name(arguments.operands[0]);
     position.log_hash = hash_of(log.scans, log.content_hash);
-    return {options, log.scans, position, *project};
+    return {options, log.scans, log.lines, position, *project};
 }
 
 void run(const Arguments& arguments) {
@@ -88,7 +88,8 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
-    const PosedLog log = parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments));
+    const PosedLog log =
+        parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
 
     clock.begin("follow");
     io::RunInfo info = run_info_of(options.segment);

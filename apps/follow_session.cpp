@@ -69,8 +69,10 @@ std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed) {
 }
 
 FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan> scans,
-                             const store::LogPosition& log, const std::filesystem::path& project)
+                             std::span<const std::uint64_t> lines, const store::LogPosition& log,
+                             const std::filesystem::path& project)
     : scans_(scans),
+      lines_(lines),
       project_(open_project(project, options, log)),
       follower_(project_->follower(options.segment.num_threads)),
       position_(project_->position()),
@@ -91,7 +93,12 @@ FollowUpdate FollowSession::add_next() {
         keep(update);
         last_ = update;
     } catch (const InputError& error) {
-        if (position_.num_left_out++ == 0) position_.first_left_out = error.what();
+        if (position_.num_left_out++ == 0) {
+            const std::size_t at = position_.num_done;
+            const std::string line =
+                at < lines_.size() ? "line " + std::to_string(lines_[at]) + ": " : std::string();
+            position_.first_left_out = line + error.what();
+        }
     }
     ++position_.num_done;
     if (project_ && std::chrono::steady_clock::now() - saved_at_ > kSaveAfter) save();

@@ -21,12 +21,15 @@ namespace quadcut {
 /// then is saved every half a second.
 class FollowSession {
 public:
-    FollowSession(const FollowOptions& options, std::span<const Scan> scans)
-        : scans_(scans), follower_(options) {}
+    /// `lines` are those of the scans in their log, or nothing: what a warning names.
+    FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+                  std::span<const std::uint64_t> lines)
+        : scans_(scans), lines_(lines), follower_(options) {}
     /// `log` says what the scans are; a project of other scans or options is refused. A file that
     /// is not there is made. Throws InputError.
     FollowSession(const FollowOptions& options, std::span<const Scan> scans,
-                  const store::LogPosition& log, const std::filesystem::path& project);
+                  std::span<const std::uint64_t> lines, const store::LogPosition& log,
+                  const std::filesystem::path& project);
 
     [[nodiscard]] bool is_done() const { return position_.num_done >= scans_.size(); }
     [[nodiscard]] std::size_t num_done() const { return position_.num_done; }
@@ -53,6 +56,7 @@ private:
     void save();
 
     std::span<const Scan> scans_;
+    std::span<const std::uint64_t> lines_;
     std::optional<store::Project> project_;
     Follower follower_;
     store::LogPosition position_;

@@ -32,14 +32,18 @@ struct LogMap {
 struct PosedLog {
     std::string name;  ///< of the log, in messages
     std::vector<Scan> scans;
+    /// The line of each.
+    std::vector<std::uint64_t> lines;
     std::vector<std::string> warnings;
     std::uint64_t content_hash = 0;
 };
 
 /// The scans of a log that was read; `poses` names a file of poses that replace the log's own (see
-/// with_poses). Throws InputError.
+/// with_poses). Scans that are too far from the others for one map (see find_far_scans) are left
+/// out, with a warning. Throws InputError.
 [[nodiscard]] PosedLog parse_posed_log(io::InputFile log,
-                                       const std::optional<std::filesystem::path>& poses);
+                                       const std::optional<std::filesystem::path>& poses,
+                                       double resolution_m);
 
 /// Maps a log that was read, with poses as parse_posed_log() has them. The stages are `read` and
 /// `map`. Throws InputError.

@@ -72,6 +72,7 @@ PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,
         if (!pose) continue;
         scans[i].world_from_sensor = *pose;
         posed.scans.push_back(std::move(scans[i]));
+        posed.places.push_back(i);
     }
     posed.num_left_out = num_scans - posed.scans.size();
     if (posed.scans.empty()) {

@@ -17,6 +17,8 @@ inline constexpr double kPoseReach = 0.5;
 
 struct PosedScans {
     std::vector<Scan> scans;
+    /// The place of each among those that were given.
+    std::vector<std::size_t> places;
     /// Scans that no pose is near to; they are left out.
     std::size_t num_left_out = 0;
 };

@@ -262,6 +262,7 @@ LogFile parse_carmen_log(std::string_view bytes, const std::string& name,
     std::vector<std::size_t> lasers;
     while (std::optional<Scan> scan = reader.next()) {
         log.scans.push_back(std::move(*scan));
+        log.lines.push_back(reader.last_line());
         lasers.push_back(reader.last_laser());
     }
     reader.require_scans();

@@ -59,6 +59,8 @@ public:
 
     /// Which laser the last scan came from: 0, 1, ... in the order of their first line.
     [[nodiscard]] std::size_t last_laser() const { return last_laser_; }
+    /// The number of its line, counted from 1.
+    [[nodiscard]] std::uint64_t last_line() const { return counts_.lines; }
     /// From where on a reading means "no return", for each laser, as far as was read.
     [[nodiscard]] std::vector<double> no_return_limits_m() const;
     [[nodiscard]] const LogCounts& counts() const { return counts_; }
@@ -103,6 +105,7 @@ private:
 /// A whole log.
 struct LogFile {
     std::vector<Scan> scans;
+    std::vector<std::uint64_t> lines;  ///< of each scan, counted from 1
     std::vector<std::string> warnings;
     LogCounts counts;
     std::uint64_t content_hash = 0;  ///< of the file's bytes

@@ -202,15 +202,17 @@ void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells, const Execu
     if (any) take_cut_off_parts(cells.ground, inner, executor);
 }
 
-/// Whether a region of the raster ends where the raster does: then more of it may be outside.
-bool meets_frame(const CellBounds& bounds, const Raster<std::uint16_t>& ground) {
-    return bounds.low.x == 0 || bounds.low.y == 0 || bounds.high.x == ground.width - 1 ||
-           bounds.high.y == ground.height - 1;
-}
-
 bool is_shorter(const CellBounds& bounds, std::int32_t max_side_cells) {
     return bounds.high.x - bounds.low.x < max_side_cells &&
            bounds.high.y - bounds.low.y < max_side_cells;
+}
+
+std::vector<bool> are_shorter(const std::vector<CellBounds>& bounds, std::int32_t max_side_cells) {
+    std::vector<bool> result(bounds.size());
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+        result[i] = is_shorter(bounds[i], max_side_cells);
+    }
+    return result;
 }
 
 /// What one room encloses and is not too large becomes furniture.
@@ -233,9 +235,8 @@ void add_shut_in_cells(const Raster<std::uint16_t>& ground, Raster<std::uint8_t>
     const Raster<std::uint8_t> is_loose = mask_of(ground, kLooseFree, executor);
     if (!is_any_set(is_loose)) return;
     const ConnectedParts parts = parts_of(is_loose, executor);
-    const std::vector<CellBounds> bounds = bounds_of(parts);
-    std::vector<bool> is_shut_in(bounds.size());
-    for (std::size_t i = 1; i < bounds.size(); ++i) is_shut_in[i] = !meets_frame(bounds[i], ground);
+    std::vector<bool> is_shut_in = parts.on_edge();
+    is_shut_in.flip();
     const std::vector<BorderTally> tallies = tally_borders(ground, is_loose, parts, is_shut_in);
     parts.for_each_run([&](const CellRun& run, std::size_t first) {
         if (!is_shut_in[run.part] || tallies[run.part].num_room_edges > 0) return;
@@ -252,13 +253,9 @@ void mark_hidden_cells(FloorCells& cells, std::int32_t max_wall_cells,
     add_shut_in_cells(ground, is_hidden, executor);
     const Raster<std::uint8_t> thick = find_thick_parts(is_hidden, max_wall_cells + 1, executor);
     const ConnectedParts parts = parts_of(is_hidden, executor);
-    const std::vector<CellBounds> bounds = bounds_of(parts);
-    std::vector<bool> is_furniture(bounds.size());
-    for (std::size_t i = 1; i < bounds.size(); ++i) {
-        is_furniture[i] = is_shorter(bounds[i], max_furniture_cells);
-    }
+    std::vector<bool> is_furniture = are_shorter(bounds_of(parts), max_furniture_cells);
     const std::vector<BorderTally> tallies = tally_borders(ground, is_hidden, parts, is_furniture);
-    for (std::size_t i = 1; i < bounds.size(); ++i) {
+    for (std::size_t i = 1; i < tallies.size(); ++i) {
         const BorderTally& tally = tallies[i];
         const bool enclosed = tally.num_room_edges + tally.num_wall_edges == tally.num_edges;
         is_furniture[i] = is_furniture[i] && enclosed;

@@ -24,7 +24,7 @@ std::vector<BorderTally> tally_borders(const Raster<std::uint16_t>& ground,
     const auto width = static_cast<std::size_t>(ground.width);
     parts.for_each_run([&](const CellRun& run, std::size_t first) {
         if (!wanted[run.part]) return;
-        const std::size_t length = run.end - run.begin;
+        const std::uint32_t length = run.end - run.begin;
         // What lies beside a cell of the mask and is in the mask is of the same part.
         std::uint32_t num_edges = 0;
         std::uint32_t num_room_edges = 0;

@@ -27,12 +27,12 @@ struct CellBounds {
 /// The bounds of each part, as columns and rows of the raster; nothing at 0. O(runs).
 [[nodiscard]] std::vector<CellBounds> bounds_of(const ConnectedParts& parts);
 
-/// What lies along the border of a 4-connected region.
+/// What lies along the border of a 4-connected region. There may be as many as half the cells.
 struct BorderTally {
-    std::size_t num_cells = 0;
-    std::size_t num_edges = 0;
-    std::size_t num_room_edges = 0;
-    std::size_t num_wall_edges = 0;
+    std::uint32_t num_cells = 0;
+    std::uint32_t num_edges = 0;
+    std::uint32_t num_room_edges = 0;
+    std::uint32_t num_wall_edges = 0;
 };
 
 /// The borders of the 4-connected parts of a mask of `ground` that are `wanted`; nothing at 0.

@@ -96,6 +96,57 @@ TEST(MapOfLog, PosesReplaceTheLogsOwn) {
     }
 }
 
+/// The scans of a room of 4 m, and one far from them; the same in all commands that read logs.
+TEST(FarScan, IsLeftOutWithItsLineAndCounted) {
+    const Folder folder;
+    for (const char* const command : {"map", "segment", "follow"}) {
+        for (const std::size_t place : {0, 2, 4}) {
+            std::string bytes;
+            std::string expected = "# a log\n";
+            for (std::size_t i = 0; i < 5; ++i) {
+                const double time_s = static_cast<double>(i);
+                bytes +=
+                    room_scan(i == place ? 1e5 : 0.01 * time_s, i == place ? 30.0 : 0.0, time_s);
+                if (i != place) expected += room_scan(0.01 * time_s, 0.0, time_s);
+            }
+            const Outcome outcome = run_quadcut(
+                {command, folder.write("far.log", "# a log\n" + bytes), "-o", folder / "out"});
+            ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+            EXPECT_NE(outcome.err.find("far.log: line " + std::to_string(place + 2) +
+                                       ": the pose (100000, 30) is 100 km from"),
+                      std::string::npos)
+                << outcome.err;
+            EXPECT_NE(outcome.err.find("left out (1 of 5 scans)"), std::string::npos)
+                << outcome.err;
+            const std::string without = folder.write("without.log", expected);
+            ASSERT_EQ(run_quadcut({command, without, "-o", folder / "without"}).exit_code, 0);
+            const std::string map = read_bytes(folder / "out/map.pgm");
+            EXPECT_LT(map.size(), 20000U);
+            EXPECT_EQ(map, read_bytes(folder / "without/map.pgm"));
+        }
+    }
+}
+
+TEST(FarScan, ByPosesOfAFile) {
+    const Folder folder;
+    const std::string log = folder.write("three.log", room_scan(0, 0, 100) + room_scan(0, 0, 101) +
+                                                          "# between\n" + room_scan(0, 0, 102));
+    const std::string poses = folder.write(
+        "wild.g2o", "VERTEX_SE2 0 1 1 0\nVERTEX_SE2 1 1 1 0\nVERTEX_SE2 2 1e300 1 0\n");
+    for (const char* const command : {"map", "segment", "follow"}) {
+        const Outcome outcome = run_quadcut({command, log, "-o", folder / "out", "--poses", poses});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("three.log: line 4: "), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("left out (1 of 3 scans)"), std::string::npos) << outcome.err;
+    }
+    const Outcome none =
+        run_quadcut({"map", folder.write("one.log", room_scan(0, 0, 0)), "-o", folder / "none",
+                     "--poses", folder.write("one.g2o", "VERTEX_SE2 0 0 1e300 0\n")});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_NE(none.err.find("one.log: line 1: "), std::string::npos) << none.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
 TEST(MapOfLog, PosesOfAnotherTimeAreRefused) {
     const Folder folder;
     const std::string log = folder.write("one.log", room_scan(0, 0, 100.0));

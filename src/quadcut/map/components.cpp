@@ -26,9 +26,9 @@ FreeComponents find_free_components(const Raster<CellState>& states, const Execu
         for (std::size_t i = free.parts.row_begin[y]; i < free.parts.row_begin[y + 1]; ++i) {
             const CellRun& run = free.parts.runs[i];
             FreeComponents::Component& component = free.components[run.part - 1];
-            const std::size_t length = run.end - run.begin;
+            const std::uint32_t length = run.end - run.begin;
             const auto last_column = static_cast<std::uint32_t>(states.width - 1);
-            const std::size_t num_ends =
+            const std::uint32_t num_ends =
                 (run.begin == 0 ? 1U : 0U) + (run.end > last_column && last_column > 0 ? 1U : 0U);
             component.num_cells += length;
             component.num_border_cells += is_edge_row ? length : num_ends;
@@ -45,7 +45,7 @@ std::optional<std::size_t> find_outside(const FreeComponents& free, std::size_t 
     std::optional<std::size_t> outside;
     std::size_t num_others = 0;
     for (std::size_t i = 0; i < free.components.size(); ++i) {
-        if (2 * free.components[i].num_border_cells > border) {
+        if (2 * std::size_t{free.components[i].num_border_cells} > border) {
             outside = i;
         } else if (free.components[i].num_cells >= min_cells) {
             num_others += free.components[i].num_cells;

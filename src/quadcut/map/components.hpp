@@ -16,11 +16,11 @@
 
 namespace quadcut {
 
-/// The connected parts (4 neighbours) of the free space.
+/// The connected parts (4 neighbours) of the free space. There may be as many as half the cells.
 struct FreeComponents {
     struct Component {
-        std::size_t num_cells = 0;
-        std::size_t num_border_cells = 0;  ///< of these, on the border of the raster
+        std::uint32_t num_cells = 0;
+        std::uint32_t num_border_cells = 0;  ///< of these, on the border of the raster
     };
 
     ConnectedParts parts;               ///< part p is component p - 1

@@ -3,6 +3,7 @@
 #include "quadcut/map/connected_parts.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace quadcut {
 
@@ -47,20 +48,26 @@ std::uint32_t ConnectedParts::part_at(std::uint32_t column, std::size_t row) con
     return found != end && found->begin <= column ? found->part : 0;
 }
 
-ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity) {
-    ConnectedParts parts = std::move(found.parts);
+ConnectedParts join_runs(ConnectedParts parts, Connectivity connectivity) {
     const std::uint32_t corner = connectivity == Connectivity::eight ? 1 : 0;
     LabelSets sets;
+    // Of the runs of this row and of the one below.
+    std::vector<std::uint32_t> keys;
+    std::vector<std::uint32_t> keys_below;
     for (std::size_t y = 0; y + 1 < parts.row_begin.size(); ++y) {
-        std::size_t below = y > 0 ? parts.row_begin[y - 1] : 0;
-        const std::size_t below_end = y > 0 ? parts.row_begin[y] : 0;
-        for (std::size_t i = parts.row_begin[y]; i < parts.row_begin[y + 1]; ++i) {
+        const std::size_t begin = parts.row_begin[y];
+        const std::size_t begin_below = y > 0 ? parts.row_begin[y - 1] : begin;
+        std::size_t below = begin_below;
+        std::swap(keys, keys_below);
+        keys.clear();
+        for (std::size_t i = begin; i < parts.row_begin[y + 1]; ++i) {
             CellRun& run = parts.runs[i];
-            while (below < below_end && parts.runs[below].end + corner <= run.begin) ++below;
+            const std::uint32_t key = std::exchange(run.part, 0);
+            keys.push_back(key);
+            while (below < begin && parts.runs[below].end + corner <= run.begin) ++below;
             // The last one that touches this run may touch the next one, too.
-            for (std::size_t j = below; j < below_end && parts.runs[j].begin < run.end + corner;
-                 ++j) {
-                if (found.keys[j] != found.keys[i]) continue;
+            for (std::size_t j = below; j < begin && parts.runs[j].begin < run.end + corner; ++j) {
+                if (keys_below[j - begin_below] != key) continue;
                 if (run.part == 0) {
                     run.part = parts.runs[j].part;
                 } else {
@@ -70,7 +77,7 @@ ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity) {
             if (run.part == 0) run.part = sets.add();
         }
     }
-    const std::vector<std::uint32_t> numbers = sets.numbers();
+    const std::vector<std::uint32_t> numbers = sets.take_numbers();
     parts.count = *std::max_element(numbers.begin(), numbers.end());
     for (CellRun& run : parts.runs) run.part = numbers[run.part];
     return parts;

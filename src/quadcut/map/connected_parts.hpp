@@ -81,15 +81,15 @@ public:
         b = top_of(b);
         parents_[std::max(a, b)] = std::min(a, b);
     }
-    /// For each label, the number of its set from 1 on.
-    [[nodiscard]] std::vector<std::uint32_t> numbers() const {
-        std::vector<std::uint32_t> numbers(parents_.size(), 0);
+    /// For each label, the number of its set from 1 on. The sets are used up.
+    [[nodiscard]] std::vector<std::uint32_t> take_numbers() {
+        // A parent, which is smaller, is a number already.
         std::uint32_t num_sets = 0;
-        for (std::uint32_t label = 1; label < numbers.size(); ++label) {
+        for (std::uint32_t label = 1; label < parents_.size(); ++label) {
             const std::uint32_t parent = parents_[label];
-            numbers[label] = parent == label ? ++num_sets : numbers[parent];
+            parents_[label] = parent == label ? ++num_sets : parents_[parent];
         }
-        return numbers;
+        return std::move(parents_);
     }
 
 private:
@@ -101,17 +101,12 @@ private:
     std::vector<std::uint32_t> parents_{0};
 };
 
-/// Runs of cells of the same key, of which the parts are still to be found.
-struct KeyedRuns {
-    ConnectedParts parts;
-    std::vector<std::uint64_t> keys;
-};
-
-/// Joins runs of the same key in rows that follow each other. O(runs).
-[[nodiscard]] ConnectedParts join_runs(KeyedRuns found, Connectivity connectivity);
+/// Finds the parts of runs whose `part` is a key as yet: those of the same key that touch, in rows
+/// that follow each other. O(runs).
+[[nodiscard]] ConnectedParts join_runs(ConnectedParts keyed, Connectivity connectivity);
 
 /// The parts of the cells for whose offset `key_of(offset)` is not 0; neighbours with the same key
-/// are in one part. O(cells).
+/// are in one part. Keys are below 2^32. O(cells).
 template <typename T, typename KeyOf>
 [[nodiscard]] ConnectedParts connected_parts(const Raster<T>& raster, const KeyOf& key_of,
                                              Connectivity connectivity = Connectivity::four,
@@ -119,9 +114,9 @@ template <typename T, typename KeyOf>
     constexpr std::size_t kRowsPerChunk = 32;
     const auto width = static_cast<std::size_t>(raster.width);
     const auto height = static_cast<std::size_t>(raster.height);
-    std::vector<KeyedRuns> chunks((height + kRowsPerChunk - 1) / kRowsPerChunk);
+    std::vector<ConnectedParts> chunks((height + kRowsPerChunk - 1) / kRowsPerChunk);
     parallel_for(executor, height, kRowsPerChunk, [&](std::size_t first_row, std::size_t last_row) {
-        KeyedRuns& found = chunks[first_row / kRowsPerChunk];
+        ConnectedParts& found = chunks[first_row / kRowsPerChunk];
         for (std::size_t y = first_row; y < last_row; ++y) {
             const std::size_t row = y * width;
             for (std::size_t x = 0; x < width;) {
@@ -130,23 +125,24 @@ template <typename T, typename KeyOf>
                 while (++x < width && key_of(row + x) == key) {
                 }
                 if (key == 0) continue;
-                found.parts.runs.push_back(
-                    {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(x), 0});
-                found.keys.push_back(static_cast<std::uint64_t>(key));
+                found.runs.push_back({static_cast<std::uint32_t>(begin),
+                                      static_cast<std::uint32_t>(x),
+                                      static_cast<std::uint32_t>(key)});
             }
-            found.parts.row_begin.push_back(found.parts.runs.size());
+            found.row_begin.push_back(found.runs.size());
         }
     });
-    KeyedRuns all;
-    all.parts.width = raster.width;
-    for (KeyedRuns& chunk : chunks) {
-        const std::size_t before = all.parts.runs.size();
-        for (std::size_t y = 1; y < chunk.parts.row_begin.size(); ++y) {
-            all.parts.row_begin.push_back(before + chunk.parts.row_begin[y]);
+    ConnectedParts all;
+    all.width = raster.width;
+    std::size_t num_runs = 0;
+    for (const ConnectedParts& chunk : chunks) num_runs += chunk.runs.size();
+    all.runs.reserve(num_runs);
+    for (ConnectedParts& chunk : chunks) {
+        const std::size_t before = all.runs.size();
+        for (std::size_t y = 1; y < chunk.row_begin.size(); ++y) {
+            all.row_begin.push_back(before + chunk.row_begin[y]);
         }
-        all.parts.runs.insert(all.parts.runs.end(), chunk.parts.runs.begin(),
-                              chunk.parts.runs.end());
-        all.keys.insert(all.keys.end(), chunk.keys.begin(), chunk.keys.end());
+        all.runs.insert(all.runs.end(), chunk.runs.begin(), chunk.runs.end());
         chunk = {};
     }
     return join_runs(std::move(all), connectivity);

@@ -112,6 +112,23 @@ IntegrateOptions latest_scan_wins() {
     return options;
 }
 
+Box cells_in_reach(const OccupancyMap& map, const Scan& scan, const IntegrateOptions& options) {
+    const Pose sensor = sensor_in_cells(map, scan);
+    double range_m = 0.0;
+    for (const float range : scan.ranges_m) {
+        if (std::isfinite(range) && range < scan.max_range_m) {
+            range_m = std::max(range_m, static_cast<double>(range));
+        }
+    }
+    if (!(range_m > 0.0)) return {};
+    const double reach = std::min(range_m, options.usable_range_m) / map.resolution_m();
+    const auto cells = static_cast<std::int32_t>(std::ceil(std::min(reach, kMaxRangeCells))) + 1;
+    const Cell at = cell_of({sensor.x, sensor.y});
+    const Cell low = first_cell_of(tile_of({at.x - cells, at.y - cells}));
+    const Cell high = first_cell_of(tile_of({at.x + cells, at.y + cells}));
+    return {low, {high.x + kTileSide - 1, high.y + kTileSide - 1}};
+}
+
 std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
                                       const IntegrateOptions& options) {
     const Pose pose = sensor_in_cells(map, scan);

@@ -25,6 +25,9 @@ struct IntegrateOptions {
     int miss = -1;                  ///< added where the scan saw free space
 };
 
+/// The most cells that the box around all that scans see may have: 820 m x 820 m at 5 cm.
+inline constexpr std::int64_t kMaxCellsOfScans = std::int64_t{1} << 28;
+
 /// One hit marks and one miss clears, as in the paper (READING.md item 20).
 [[nodiscard]] IntegrateOptions latest_scan_wins();
 
@@ -34,6 +37,12 @@ struct TileEvidence {
     std::uint64_t miss = 0;
     std::uint64_t hit = 0;
 };
+
+/// Whole tiles, in cells, that hold all that a scan can speak of: as far around the sensor as its
+/// longest reading. Empty when no beam says anything. Throws InputError when the pose cannot be
+/// used, as evidence_of() does.
+[[nodiscard]] Box cells_in_reach(const OccupancyMap& map, const Scan& scan,
+                                 const IntegrateOptions& options = {});
 
 /// What a scan says of the map: one miss for each cell that it saw free (cells_of), one hit for
 /// each cell with an end point; the hit wins. Invalid beams and those without a return say nothing.

@@ -24,6 +24,33 @@ Box box_of_known(const Raster<CellState>& states) {
     return box;
 }
 
+// The first cell of a tile and its last.
+Box cells_of(Cell tile) {
+    const Cell low = first_cell_of(tile);
+    return {low, {low.x + kTileSide - 1, low.y + kTileSide - 1}};
+}
+
+// Makes `known` hold the known cells of a tile.
+void include_known(const Tile& values, Cell tile, Box& known) {
+    const Box cells = cells_of(tile);
+    if (!known.is_empty() && known.contains(cells.low) && known.contains(cells.high)) return;
+    for (Cell cell = cells.low; cell.y <= cells.high.y; ++cell.y) {
+        for (cell.x = cells.low.x; cell.x <= cells.high.x; ++cell.x) {
+            if (values.values[place_in_tile(cell)] != 0) known.include({cell, cell});
+        }
+    }
+}
+
+// Writes the cells of a tile that lie in the raster.
+void put_tile(const Tile& values, Cell tile, Raster<CellState>& states) {
+    const Box cells = cells_of(tile).intersected(states.box());
+    if (cells.is_empty()) return;
+    for (std::int32_t y = cells.low.y; y <= cells.high.y; ++y) {
+        const std::int8_t* row = &values.values[place_in_tile({cells.low.x, y})];
+        std::transform(row, row + cells.width(), &states.at({cells.low.x, y}), state_of);
+    }
+}
+
 // The smallest root for a raster, its lower left moved down to the next tile.
 Root root_around(const Raster<CellState>& states) {
     const Cell corner = first_cell_of(tile_of(states.origin));
@@ -74,13 +101,18 @@ OccupancyMap OccupancyMap::from_grid(const GridMap& grid) {
 
 Raster<CellState> OccupancyMap::to_raster() const {
     const Box tiles = written_tiles();
-    Raster<CellState> all(first_cell_of(tiles.low), tiles.width() * kTileSide,
-                          tiles.height() * kTileSide);
-    for (std::size_t i = 0; i < all.values.size(); ++i) all.values[i] = state(all.cell(i));
-    const Box known = box_of_known(all);
+    Box known;
+    for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
+        for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
+            if (store_.shared_log_odds(tile) != 0) include_known(store_.tile(tile), tile, known);
+        }
+    }
     Raster<CellState> states(known);
-    for (Cell cell = known.low; cell.y <= known.high.y; ++cell.y) {
-        std::copy_n(&all.at(cell), known.width(), &states.at(cell));
+    // Most of the box may never have been seen.
+    for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
+        for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
+            if (store_.shared_log_odds(tile) != 0) put_tile(store_.tile(tile), tile, states);
+        }
     }
     return states;
 }

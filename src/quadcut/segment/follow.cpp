@@ -20,8 +20,6 @@ constexpr double kPatchM = 4.0;
 /// there is nothing else to do, and once after each cut.
 constexpr double kMinStale = 0.02;
 constexpr double kMuchStale = 0.1;
-/// Of the map's bounding box: 820 m a side at 5 cm. No coordinate of a cell is larger, either.
-constexpr double kMaxCells = 268435456.0;
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
@@ -84,10 +82,7 @@ Follower::Follower(const FollowOptions& options)
 FollowUpdate Follower::add_scan(const Scan& scan) {
     FollowUpdate update;
     const auto start = std::chrono::steady_clock::now();
-    const Cell at = map_.cell_at({scan.world_from_sensor.x, scan.world_from_sensor.y});
-    const double reach = std::min(options_.integrate.usable_range_m / options_.resolution_m, 1e4);
-    const auto cells = static_cast<std::int32_t>(std::ceil(reach));
-    require_room_for({{at.x - cells, at.y - cells}, {at.x + cells, at.y + cells}});
+    require_room_for(cells_in_reach(map_, scan, options_.integrate));
     const MapUpdate change = integrate_scan(map_, scan, options_.integrate);
     update.integrate_ms = ms_since(start);
     sum_up(change, update);
@@ -188,13 +183,13 @@ void Follower::note_changes(const MapUpdate& update) {
 }
 
 void Follower::require_room_for(Box cells) const {
+    if (cells.is_empty()) return;
     cells = cells_of_tiles({tile_of(cells.low), tile_of(cells.high)});
     if (!written_.is_empty()) cells.include(written_);
-    const double num_cells = static_cast<double>(cells.width()) * cells.height();
-    if (num_cells <= kMaxCells) return;
+    if (std::int64_t{cells.width()} * cells.height() <= kMaxCellsOfScans) return;
     throw InputError("the followed map would span " + std::to_string(cells.width()) + " x " +
                      std::to_string(cells.height()) + " cells: expected at most " +
-                     std::to_string(static_cast<long>(kMaxCells)) + "; is a pose wrong?");
+                     std::to_string(kMaxCellsOfScans) + "; is a pose wrong?");
 }
 
 void Follower::cut_again(double min_patch_m2, FollowUpdate& update) {
@@ -237,8 +232,9 @@ std::int32_t Follower::in_cells(double length_m) const {
 RoomId Follower::room_at(const Point& point) const {
     const double x = point.x / options_.resolution_m;
     const double y = point.y / options_.resolution_m;
-    // Written so that NaN is nowhere, too.
-    if (!(std::abs(x) < kMaxCells && std::abs(y) < kMaxCells)) return RoomId{};
+    // Beyond it no cell has an address. Written so that NaN is nowhere, too.
+    constexpr double kFar = 268435456.0;
+    if (!(std::abs(x) < kFar && std::abs(y) < kFar)) return RoomId{};
     return RoomId{cells_.room(map_.cell_at(point))};
 }
 

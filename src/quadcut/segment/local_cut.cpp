@@ -222,7 +222,7 @@ LocalCut cut_locally(const LocalWindow& window, const SegmentOptions& options,
     for (std::uint32_t part = 1; part <= parts.count; ++part) sets.add();
     join_across_borders(window, anew, parts, sets);
     join_beyond(parts, ask_beyond, cut, sets);
-    const std::vector<std::uint32_t> numbers = sets.numbers();
+    const std::vector<std::uint32_t> numbers = sets.take_numbers();
     cut.num_regions = *std::max_element(numbers.begin(), numbers.end());
     cut.regions = parts.labels;
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {

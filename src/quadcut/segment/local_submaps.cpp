@@ -72,7 +72,7 @@ void join_merged(const SubmapWindow& window, LocalCut& cut) {
         if (a == b || a == kNotCut || b == kNotCut || group_of[a] == 0) return;
         if (group_of[a] == group_of[b]) sets.join(a, b);
     });
-    const std::vector<std::uint32_t> numbers = sets.numbers();
+    const std::vector<std::uint32_t> numbers = sets.take_numbers();
     for (std::uint32_t& region : cut.regions.values) {
         if (region != kNotCut) region = numbers[region];
     }

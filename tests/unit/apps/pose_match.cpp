@@ -53,6 +53,7 @@ TEST(WithPoses, ScansOutsideAreLeftOut) {
                                         {{10.0, {1, 0, 0}}, {12.0, {3, 0, 0}}}, "poses");
     ASSERT_EQ(posed.scans.size(), 3U);
     EXPECT_EQ(posed.num_left_out, 2U);
+    EXPECT_EQ(posed.places, (std::vector<std::size_t>{1, 2, 3}));
     EXPECT_EQ(posed.scans[0].ranges_m[0], 1.0F);
     EXPECT_EQ(posed.scans[0].world_from_sensor.x, 1.0);
     EXPECT_EQ(posed.scans[1].world_from_sensor.x, 1.5);

@@ -52,6 +52,7 @@ TEST(Carmen, ReadsScansInTheOrderOfTheirLines) {
     EXPECT_NEAR(log.scans[0].angle_step_rad, kPi / 4, 1e-12);
     EXPECT_EQ(log.scans[0].max_range_m, kMaxUsableRange);
     EXPECT_EQ(log.scans[1].world_from_sensor, (Pose{3.0, 4.0, -0.5}));
+    EXPECT_EQ(log.lines, (std::vector<std::uint64_t>{4, 7}));
     EXPECT_EQ(log.counts.scans, 2U);
     EXPECT_EQ(log.counts.lines, 7U);
     EXPECT_EQ(log.counts.other_messages, 3U);
