@@ -13,6 +13,7 @@
 
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/map/tile_set.hpp"
 #include "quadcut/segment/follow_state.hpp"
 #include "quadcut/segment/local_cut.hpp"
 #include "quadcut/segment/options.hpp"
@@ -126,8 +127,8 @@ private:
         std::vector<std::size_t> group_of_part;
         /// Cells out there, by group.
         std::vector<std::size_t> num_cells;
-        /// 1 + the group of each cell; empty when there is one group only.
-        Raster<std::uint32_t> groups;
+        /// The cells of each; empty when there is one group only.
+        std::vector<TileSet> groups;
     };
     /// What the regions of a window and the rooms there were share.
     struct Overlaps {
