@@ -14,6 +14,7 @@
 
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/map/tile_set.hpp"
 #include "quadcut/segment/edit.hpp"
 #include "quadcut/segment/follow_state.hpp"
 #include "quadcut/segment/local_cut.hpp"
@@ -141,8 +142,8 @@ private:
         std::vector<std::size_t> group_of_part;
         /// Cells out there, by group.
         std::vector<std::size_t> num_cells;
-        /// 1 + the group of each cell; empty when there is one group only.
-        Raster<std::uint32_t> groups;
+        /// The cells of each; empty when there is one group only.
+        std::vector<TileSet> groups;
     };
     /// The part of a line that lies in one room and in the walls there; in cells.
     struct RoomStretch {

@@ -11,9 +11,6 @@
 namespace quadcut {
 namespace {
 
-/// As in RegionGraph: a robot fits through, to somewhere.
-constexpr float kFitsM = 0.25F;
-constexpr double kPlaceM2 = 2.0;
 /// A room has grown when it is so much larger than when that was last said.
 constexpr double kGrownShare = 1.25;
 constexpr double kGrownM2 = 2.0;
@@ -104,82 +101,6 @@ void Follower::take_over(const LocalWindow& window, const LocalCut& cut, FollowU
         name_regions(overlaps, cut.num_regions, update);
     write_window(window, cut, room_of_region, update);
     update_rooms(cut, overlaps, room_of_region, update);
-}
-
-BeyondWindow Follower::look_beyond(const LocalWindow& window, std::uint32_t room,
-                                   const std::vector<Cell>& parts,
-                                   const Raster<std::uint32_t>& pieces) {
-    const Outside& outside = outside_[room] = groups_outside(window, room, parts, pieces);
-    BeyondWindow beyond{outside.group_of_part, {}};
-    const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    for (std::size_t group = 0; group < outside.num_cells.size(); ++group) {
-        beyond.groups.push_back({static_cast<double>(outside.num_cells[group]) * cell_m2,
-                                 outside.num_cells[group] == 0 ? 0.0 : rooms_.at(room).peak_m,
-                                 openings_outside(window, room, outside, group)});
-    }
-    return beyond;
-}
-
-Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint32_t room,
-                                           const std::vector<Cell>& parts,
-                                           const Raster<std::uint32_t>& pieces) const {
-    const FollowedRoom& known = rooms_.at(room);
-    const auto num_inside = static_cast<std::size_t>(
-        std::count(window.rooms.values.begin(), window.rooms.values.end(), room));
-    if (parts.size() == 1) return {{0}, {known.num_cells - num_inside}, {}};
-    // Several parts: a walk through the room, around what is cut anew, tells which are connected.
-    Outside outside;
-    Box box = known.box;
-    // Furniture that was no room yet may stand for a part.
-    for (const Cell part : parts) box.include({part, part});
-    outside.groups = Raster<std::uint32_t>(box);
-    const auto is_way = [&](Cell cell) {
-        if (!known.box.contains(cell) || cells_.room(cell) != room) return false;
-        if (!pieces.contains(cell)) return true;
-        const std::uint32_t piece = pieces.at(cell);
-        return std::any_of(parts.begin(), parts.end(),
-                           [&](Cell part) { return pieces.at(part) == piece; });
-    };
-    for (const Cell part : parts) {
-        std::uint32_t& seed = outside.groups.at(part);
-        if (seed == 0) {
-            outside.num_cells.push_back(0);
-            seed = static_cast<std::uint32_t>(outside.num_cells.size());
-            std::vector<Cell> waiting{part};
-            while (!waiting.empty()) {
-                const Cell at = waiting.back();
-                waiting.pop_back();
-                if (!pieces.contains(at)) ++outside.num_cells.back();
-                for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
-                                        Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}}) {
-                    if (!is_way(next) || outside.groups.at(next) != 0) continue;
-                    outside.groups.at(next) = static_cast<std::uint32_t>(outside.num_cells.size());
-                    waiting.push_back(next);
-                }
-            }
-        }
-        outside.group_of_part.push_back(outside.groups.at(part) - 1);
-    }
-    return outside;
-}
-
-std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t room,
-                                       const Outside& outside, std::size_t group) const {
-    const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    std::set<std::uint32_t> neighbours;
-    for (const LocalOpening& opening : openings_) {
-        if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
-        for (const auto& [own, far] :
-             {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
-            const std::uint32_t other = cells_.room(far);
-            if (cells_.room(own) != room || other == room || other == 0) continue;
-            if (!outside.groups.values.empty() && outside.groups.at(own) != group + 1) continue;
-            const bool is_place =
-                static_cast<double>(rooms_.at(other).num_cells) * cell_m2 >= kPlaceM2;
-            if (is_place) neighbours.insert(other);
-        }
-    }
-    return neighbours.size();
 }
 
 /// Calls `visit(room, group, region)` for each part of a room that goes on outside, once a group.
@@ -301,21 +222,6 @@ void Follower::write_window(const LocalWindow& window, const LocalCut& cut,
     std::erase_if(openings_,
                   [&](const LocalOpening& opening) { return window.decided.contains(opening.a); });
     openings_.insert(openings_.end(), cut.openings.begin(), cut.openings.end());
-}
-
-std::vector<Cell> Follower::cells_outside(const LocalWindow& window, std::uint32_t room,
-                                          std::size_t group) const {
-    const Outside& outside = outside_.at(room);
-    const Box& box = rooms_.at(room).box;
-    std::vector<Cell> cells;
-    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
-        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) {
-            if (cells_.room(cell) != room || window.states.contains(cell)) continue;
-            if (!outside.groups.values.empty() && outside.groups.at(cell) != group + 1) continue;
-            cells.push_back(cell);
-        }
-    }
-    return cells;
 }
 
 void Follower::update_rooms(const LocalCut& cut, const Overlaps& overlaps,

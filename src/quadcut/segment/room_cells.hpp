@@ -35,6 +35,11 @@ public:
         return tiles_[directory_.contains(tile) ? directory_.at(tile) : 0];
     }
 
+    /// Whether a tile has ever had a room, or a mark.
+    [[nodiscard]] bool contains(Cell tile) const {
+        return directory_.contains(tile) && directory_.at(tile) != 0;
+    }
+
     /// Both mark the tile if something changes.
     void set_room(Cell cell, std::uint32_t room);
     void set_cut_free(Cell cell, bool is_free);

@@ -146,5 +146,11 @@ TEST(Components, AreWhatAFloodFindsOnRandomMaps) {
     }
 }
 
+/// In noise there is one for every other cell: what each takes is what a cell takes.
+TEST(FreeComponents, AreSmall) {
+    EXPECT_LE(sizeof(FreeComponents::Component), 8U);
+    EXPECT_LE(sizeof(CellRun), 12U);
+}
+
 }  // namespace
 }  // namespace quadcut
