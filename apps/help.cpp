@@ -33,7 +33,8 @@ std::string help_text() {
     }
     return help +
            "\nquadcut COMMAND --help says what a command takes.\n"
-           "Exit codes: 0 done, 1 locate: the point is in no room, 2 bad input, 3 internal error.\n";
+           "Exit codes: 0 done, 1 locate: the point is in no room, 2 bad input, 3 internal "
+           "error.\n";
 }
 
 Command find_command(std::string_view name) {
