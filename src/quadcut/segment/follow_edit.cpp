@@ -255,6 +255,9 @@ void Follower::catch_up(std::uint32_t room, FollowUpdate& update) {
                 return cells_.room({cell.x + step.x, cell.y + step.y}) == room;
             });
             if (is_free ? own != 0 || !is_beside : own != room) continue;
+            // What is noted as a change already is cut in its time.
+            const std::uint64_t cut_free = cells_.tile(tile_of(cell)).cut_free;
+            if (((cut_free & bit_of(cell)) != 0) != is_free) continue;
             cells_.set_cut_free(cell, !is_free);
             tiles.insert(tile_at(cell));
         }
