@@ -176,10 +176,10 @@ private:
         locked_cells_.clear();
         const auto once = rooms_of_cells();
         const quadcut::Edited back = follower_.apply(edited.inverse);
-        const bool is_cut = edited.update.graph_nodes + back.update.graph_nodes != 0;
+        const bool is_cut = edited.update.segment_ms + back.update.segment_ms > 0.0;
         require(is_cut || rooms_of_cells() == before_);
         const quadcut::Edited again = follower_.apply(back.inverse);
-        require(is_cut || again.update.graph_nodes != 0 || rooms_of_cells() == once);
+        require(is_cut || again.update.segment_ms > 0.0 || rooms_of_cells() == once);
         edits_.push_back(again.inverse);
     }
 

@@ -36,17 +36,25 @@ void for_each_cell(const RoomCells& cells, std::uint32_t room, const Box& box, c
     }
 }
 
-/// The largest connected part of the cells with a value keeps it, the others get another.
-void keep_largest(Raster<std::uint8_t>& mask, std::uint8_t value, std::uint8_t other) {
+/// Gives cells that other ones part from the most of their value to those others.
+void give_what_is_shut_off(Raster<std::uint8_t>& mask, std::uint8_t value, std::uint8_t other) {
     std::vector<bool> seen(mask.values.size(), false);
-    std::vector<std::size_t> largest;
+    std::vector<std::vector<std::size_t>> parts;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
         if (seen[i] || mask.values[i] != value) continue;
-        std::vector<std::size_t> part =
-            flood(mask, i, seen, Connectivity::four,
-                  [&](std::size_t k) { return mask.values[k] == value; });
-        if (part.size() > largest.size()) part.swap(largest);
-        for (const std::size_t k : part) mask.values[k] = other;
+        parts.push_back(flood(mask, i, seen, Connectivity::four,
+                              [&](std::size_t k) { return mask.values[k] == value; }));
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& p, const auto& q) { return p.size() > q.size(); });
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const bool do_touch = std::any_of(parts[i].begin(), parts[i].end(), [&](std::size_t k) {
+            const Neighbours beside(mask, k, Connectivity::four);
+            return std::any_of(beside.begin(), beside.end(),
+                               [&](std::size_t n) { return mask.values[n] == other; });
+        });
+        if (!do_touch) continue;
+        for (const std::size_t k : parts[i]) mask.values[k] = other;
     }
 }
 
@@ -206,8 +214,7 @@ void Follower::part(const Edit& edit, Edited& done) {
         if (mask.values[i] == 0 || tile == edit.cells.end()) continue;
         if ((tile->second & bit_of(mask.cell(i))) != 0) mask.values[i] = kPart;
     }
-    keep_largest(mask, 1, kPart);
-    keep_largest(mask, kPart, 1);
+    give_what_is_shut_off(mask, 1, kPart);
     FollowedRoom part;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
         if (mask.values[i] == kPart) part.box.include({mask.cell(i), mask.cell(i)});
@@ -248,6 +255,9 @@ void Follower::catch_up(std::uint32_t room, FollowUpdate& update) {
                 return cells_.room({cell.x + step.x, cell.y + step.y}) == room;
             });
             if (is_free ? own != 0 || !is_beside : own != room) continue;
+            // What is noted as a change already is cut in its time.
+            const std::uint64_t cut_free = cells_.tile(tile_of(cell)).cut_free;
+            if (((cut_free & bit_of(cell)) != 0) != is_free) continue;
             cells_.set_cut_free(cell, !is_free);
             tiles.insert(tile_at(cell));
         }
