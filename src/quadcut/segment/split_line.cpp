@@ -187,10 +187,11 @@ std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room, const P
                      [](const auto& p, const auto& q) { return p.first < q.first; });
     places.resize(std::min(places.size(), kMaxCellsToSearch / (room.values.size() + 1) + 50));
     for (const auto& [far, place] : places) {
+        const Point& inside = place.first;
         const Point direction{std::cos(place.second), std::sin(place.second)};
         const Point back{-direction.x, -direction.y};
         const auto at_wall = [&](const Point& way) {
-            return cell_of(along(place.first, way, free_length(room, place.first, way)));
+            return cell_of(along(inside, way, free_length(room, inside, way)));
         };
         const SplitLine line{at_wall(back), at_wall(direction)};
         // As it will be drawn by whoever takes it.
