@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,12 +40,9 @@ constexpr std::array<Action, 8> kActions{{{"rename", 2, "ROOM NAME"},
 
 constexpr std::string_view kActionNames =
     "rename, merge, split, lock, unlock, undo, redo or history";
-/// So much of what was given is said again.
-constexpr std::size_t kMaxEcho = 60;
-
 void check_words(const std::vector<std::string>& operands) {
     if (operands.size() < 2) {
-        throw InputError("edit " + operands[0].substr(0, kMaxEcho) +
+        throw InputError("edit " + operands[0] +
                          ": expected an action: " + std::string(kActionNames));
     }
     for (const Action& action : kActions) {
@@ -52,8 +50,7 @@ void check_words(const std::vector<std::string>& operands) {
         if (operands.size() == action.num_words + 2) return;
         throw InputError("edit PROJECT " + operands[1] + ": expected " + std::string(action.words));
     }
-    throw InputError("edit: '" + operands[1].substr(0, kMaxEcho) + "': expected " +
-                     std::string(kActionNames));
+    throw std::logic_error("an action that no form has");
 }
 
 std::string name_of(RoomId room) { return "room " + std::to_string(index(room)); }

@@ -145,8 +145,11 @@ void check_action(const CommandForm& form, const std::string& word) {
     const std::vector<std::string_view> known(form.actions.begin(), form.actions.end());
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
     std::string expected;
-    for (const std::string_view action : known) expected += " " + std::string(action);
-    throw InputError(form.name + ": '" + word + "': expected one of" + expected +
+    for (const std::string_view action : known) {
+        if (action != known.front()) expected += action == known.back() ? " or " : ", ";
+        expected += action;
+    }
+    throw InputError(form.name + ": '" + word + "': expected " + expected +
                      io::suggestion(word, known));
 }
 
@@ -189,7 +192,7 @@ void check_operands(const CommandForm& form, const Arguments& arguments,
     if (count < least) {
         throw InputError("missing " + form.operands[count] + "; usage: " + usage_of(form));
     }
-    if (!form.actions.empty()) check_action(form, arguments.operands[1]);
+    if (!form.actions.empty() && count > 1) check_action(form, arguments.operands[1]);
 }
 
 void check_required(const CommandForm& form, const Arguments& arguments,
