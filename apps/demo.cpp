@@ -32,6 +32,10 @@ namespace {
 constexpr const char* kDefaultFolder = "quadcut_demo";
 constexpr const char* kTruthFolder = "simulation/";
 constexpr std::size_t kNumMoments = 8;
+// What is written beside the results of following.
+constexpr const char* kFilmstrip = "filmstrip.png";
+constexpr const char* kScore = "score.json";
+constexpr const char* kProject = "building.quadcut";
 
 std::vector<Point> positions(const std::vector<Scan>& scans) {
     std::vector<Point> points;
@@ -61,6 +65,8 @@ struct Followed {
     RobotMap robot;
     Segmentation rooms;
     std::string updates;
+    /// The file of the project.
+    std::string project;
     /// At equal distances in time.
     std::vector<io::Moment> moments;
 };
@@ -75,11 +81,14 @@ io::Moment moment_of(const FollowSession& session, const std::vector<Point>& way
 }
 
 Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& options,
-                      StageClock& clock, Progress& progress) {
+                      const std::string& name, StageClock& clock, Progress& progress) {
     clock.begin("follow");
     Followed followed;
     followed.robot.trajectory = positions(scans);
-    FollowSession session(options, scans, {});
+    store::LogPosition position;
+    position.log = name;
+    FollowSession session(options, scans, {},
+                          store::Project::in_memory(kProject, options, position));
     while (!session.is_done()) {
         session.add_next();
         progress.update(session.num_done(), scans.size(),
@@ -95,16 +104,13 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     followed.robot.map = session.follower().map().to_grid();
     followed.rooms = session.follower().rooms();
     followed.updates = session.updates();
+    followed.project = session.project_bytes();
     return followed;
 }
 
-/// What is written beside the results of following.
-constexpr const char* kFilmstrip = "filmstrip.png";
-constexpr const char* kScore = "score.json";
-
 std::vector<std::string> files_of_demo() {
     std::vector<std::string> files = followed_files();
-    files.insert(files.end(), {kFilmstrip, kScore});
+    files.insert(files.end(), {kFilmstrip, kScore, kProject});
     for (const std::string& name : sim::simulation_files()) files.push_back(kTruthFolder + name);
     return files;
 }
@@ -123,6 +129,7 @@ void write(io::FileBatch& output, const Simulation& simulation, const Followed& 
     add_followed(output, followed.robot.map, followed.rooms, followed.updates, info);
     output.add(kFilmstrip, io::render_filmstrip(followed.moments));
     output.add(kScore, score_text(score));
+    output.add(kProject, followed.project);
     output.commit();
 }
 
@@ -157,7 +164,8 @@ void run(const Arguments& arguments) {
     clock.begin("simulate");
     const Simulation simulation = simulate(choice, progress);
     const FollowOptions options;
-    Followed followed = follow_scans(simulation.exploration.scans, options, clock, progress);
+    const std::string name = "simulation, seed " + std::to_string(choice.seed);
+    Followed followed = follow_scans(simulation.exploration.scans, options, name, clock, progress);
     const RobotMap& robot = followed.robot;
     Segmentation& rooms = followed.rooms;
     clock.begin("score");
@@ -166,7 +174,7 @@ void run(const Arguments& arguments) {
     progress.begin("write");
     SegmentOptions segment_options = options.segment;
     io::RunInfo info = run_info_of(segment_options);
-    info.input = "simulation, seed " + std::to_string(choice.seed);
+    info.input = name;
     write(output, simulation, followed, score, info);
 
     progress.wipe();

@@ -224,9 +224,8 @@ Command edit_command() {
     form.flags = {json_flag()};
     form.flags[0].text = "the edit, or all of the history, as JSON";
     form.actions = {"rename", "merge", "split", "lock", "unlock", "undo", "redo", "history"};
-    form.examples = {
-        "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut",
-        "quadcut edit home.quadcut rename 1 Hall", "quadcut edit home.quadcut lock 1"};
+    form.examples = {"quadcut edit build/demo/building.quadcut rename 1 Hall",
+                     "quadcut edit build/demo/building.quadcut undo"};
     return {form, run};
 }
 

@@ -123,7 +123,7 @@ Command export_command() {
                   json_flag(),
                   quiet_flag()};
     form.examples = {"quadcut export build/demo -o pictures",
-                     "quadcut export home.quadcut -o home"};
+                     "quadcut export build/demo/building.quadcut -o building"};
     return {form, run};
 }
 

@@ -70,7 +70,8 @@ FollowSession begin_session(const Arguments& arguments, const FollowOptions& opt
     store::LogPosition position;
     position.log = io::display_name(arguments.operands[0]);
     position.log_hash = hash_of(log.scans, log.content_hash);
-    return {options, log.scans, log.lines, position, *project};
+    return {options, log.scans, log.lines,
+            open_project(*project, options, position, log.scans.size())};
 }
 
 void run(const Arguments& arguments) {

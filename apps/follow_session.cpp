@@ -38,18 +38,6 @@ void require_same(const std::filesystem::path& path, FollowOptions project, Foll
     }
 }
 
-store::Project open_project(const std::filesystem::path& path, const FollowOptions& options,
-                            const store::LogPosition& log) {
-    if (!std::filesystem::exists(path)) return store::Project::create(path, options, log);
-    store::Project project(path, store::Access::write);
-    if (project.position().log_hash != log.log_hash) {
-        throw InputError(io::display_name(path) + ": follows another log, " +
-                         project.position().log + ", or had other poses: expected the same log");
-    }
-    require_same(path, project.options(), options);
-    return project;
-}
-
 std::string_view bytes_of(const double& value, std::array<char, sizeof(double)>& buffer) {
     std::memcpy(buffer.data(), &value, sizeof value);
     return {buffer.data(), buffer.size()};
@@ -68,21 +56,31 @@ std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed) {
     return seed;
 }
 
+store::Project open_project(const std::filesystem::path& path, const FollowOptions& options,
+                            const store::LogPosition& log, std::size_t num_scans) {
+    if (!std::filesystem::exists(path)) return store::Project::create(path, options, log);
+    store::Project project(path, store::Access::write);
+    if (project.position().log_hash != log.log_hash) {
+        throw InputError(io::display_name(path) + ": follows another log, " +
+                         project.position().log + ", or had other poses: expected the same log");
+    }
+    require_same(path, project.options(), options);
+    if (project.position().num_done > num_scans) {
+        throw InputError(io::display_name(path) + ": has followed " +
+                         std::to_string(project.position().num_done) + " scans of a log with " +
+                         std::to_string(num_scans));
+    }
+    return project;
+}
+
 FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan> scans,
-                             std::span<const std::uint64_t> lines, const store::LogPosition& log,
-                             const std::filesystem::path& project)
+                             std::span<const std::uint64_t> lines, store::Project project)
     : scans_(scans),
       lines_(lines),
-      project_(open_project(project, options, log)),
+      project_(std::move(project)),
       follower_(project_->follower(options.segment.num_threads)),
       position_(project_->position()),
-      updates_(project_->update_lines()) {
-    if (position_.num_done > scans_.size()) {
-        throw InputError(io::display_name(project) + ": has followed " +
-                         std::to_string(position_.num_done) + " scans of a log with " +
-                         std::to_string(scans_.size()));
-    }
-}
+      updates_(project_->update_lines()) {}
 
 FollowUpdate FollowSession::add_next() {
     FollowUpdate update;

@@ -25,11 +25,9 @@ public:
     FollowSession(const FollowOptions& options, std::span<const Scan> scans,
                   std::span<const std::uint64_t> lines)
         : scans_(scans), lines_(lines), follower_(options) {}
-    /// `log` says what the scans are; a project of other scans or options is refused. A file that
-    /// is not there is made. Throws InputError.
+    /// Goes on where the project is. @pre the project is of these scans and options.
     FollowSession(const FollowOptions& options, std::span<const Scan> scans,
-                  std::span<const std::uint64_t> lines, const store::LogPosition& log,
-                  const std::filesystem::path& project);
+                  std::span<const std::uint64_t> lines, store::Project project);
 
     [[nodiscard]] bool is_done() const { return position_.num_done >= scans_.size(); }
     [[nodiscard]] std::size_t num_done() const { return position_.num_done; }
@@ -48,6 +46,8 @@ public:
     [[nodiscard]] const Follower& follower() const { return follower_; }
     /// The lines of updates.jsonl.
     [[nodiscard]] const std::string& updates() const { return updates_; }
+    /// The project as a file. @pre there is one, and finish() was called.
+    [[nodiscard]] std::string project_bytes() const { return project_->file_bytes(); }
     /// What was left out, if anything.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
@@ -66,6 +66,12 @@ private:
     std::vector<LifeEvent> refined_;
     std::chrono::steady_clock::time_point saved_at_ = std::chrono::steady_clock::now();
 };
+
+/// The project of a log, which is made if it is not there. Refused: one of other scans or options.
+/// Throws InputError.
+[[nodiscard]] store::Project open_project(const std::filesystem::path& path,
+                                          const FollowOptions& options,
+                                          const store::LogPosition& log, std::size_t num_scans);
 
 /// Tells scans with other ranges or poses apart.
 [[nodiscard]] std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed);

@@ -148,7 +148,7 @@ Command locate_command() {
     form.flags = {json_flag()};
     form.flags[0].text = "as JSON; room 0: the point is in none, and nearest may follow";
     form.examples = {"quadcut locate build/demo 0.9 0.7",
-                     "quadcut locate build/demo 0.9 0.7 --json"};
+                     "quadcut locate build/demo/building.quadcut 0.9 0.7 --json"};
     return {form, nullptr, answer};
 }
 

@@ -51,7 +51,8 @@ Command rooms_command() {
                        std::to_string(kMaxTableRows) + " are shown"},
                   json_flag()};
     form.flags[1].text = "rooms and doors as JSON";
-    form.examples = {"quadcut rooms build/demo", "quadcut rooms build/demo --json"};
+    form.examples = {"quadcut rooms build/demo",
+                     "quadcut rooms build/demo/building.quadcut --json"};
     return {form, run};
 }
 

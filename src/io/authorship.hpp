@@ -13,7 +13,7 @@ inline constexpr std::string_view kAuthorComment = "Written by quadcut";
 inline constexpr std::string_view kAuthorChunk{"Software\0quadcut", 16};
 
 /// Whether the first bytes of a file say that quadcut has written it: by one of the above, or by
-/// the `format_version` of its YAML and JSON files.
+/// the `format_version` of its YAML and JSON files, or by the application id of a project.
 [[nodiscard]] bool is_own_work(std::string_view first_bytes);
 
 /// The same of a file. False when it cannot be read, or is no regular file. O(1).

@@ -76,8 +76,8 @@ std::size_t count_in_meta(const Database& database, std::string_view key) {
 
 }  // namespace
 
-Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
-                        const LogPosition& position) {
+Project Project::in_memory(const std::filesystem::path& path, const FollowOptions& options,
+                           const LogPosition& position) {
     Database database = Database::in_memory(path);
     database.run("BEGIN");
     for (const Table& table : tables()) database.run(std::string(table.sql));
@@ -92,7 +92,16 @@ Project Project::create(const std::filesystem::path& path, const FollowOptions& 
     database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
     database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
     database.run("COMMIT");
-    make_database_file(path, database.file_bytes());
+    Project project(std::move(database));
+    project.options_ = options;
+    project.position_ = position;
+    project.database_.run("BEGIN IMMEDIATE");
+    return project;
+}
+
+Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
+                        const LogPosition& position) {
+    make_database_file(path, in_memory(path, options, position).file_bytes());
     return Project(path, Access::write);
 }
 

@@ -37,6 +37,10 @@ public:
     /// A new project, at a name that is free, as make_database_file() makes it.
     [[nodiscard]] static Project create(const std::filesystem::path& path,
                                         const FollowOptions& options, const LogPosition& position);
+    /// One without a file, whose bytes become one at the end; `path` stands in messages.
+    [[nodiscard]] static Project in_memory(const std::filesystem::path& path,
+                                           const FollowOptions& options,
+                                           const LogPosition& position);
     /// Opens one; refused: no project file, one of a newer version, one that another program
     /// writes to. The first save makes one of an older version one of this.
     Project(const std::filesystem::path& path, Access access);
@@ -62,12 +66,15 @@ public:
     /// made. O(changes).
     void save(Follower& follower, const LogPosition& position);
 
+    /// What a file of this project holds, as it was last saved.
+    [[nodiscard]] std::string file_bytes() const { return database_.file_bytes(); }
     /// "ok", or what is wrong with the file.
     [[nodiscard]] std::string integrity() const { return database_.integrity(); }
     /// No file of more pages than this; for tests of a full disk.
     void limit_pages(std::int64_t pages) { database_.limit_pages(pages); }
 
 private:
+    explicit Project(Database database) : database_(std::move(database)) {}
     void check_form() const;
     void bring_up_to_date();
     EditRecord turn(Follower& follower, EditRecord record, EditState state);
