@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include <filesystem>
 #include <iostream>
-#include <limits>
 
 #include "apps/command.hpp"
 #include "apps/run_flags.hpp"
@@ -35,8 +34,7 @@ void run(const Arguments& arguments) {
     const bool is_short = is_for_people() && !arguments.has(kAllFlag);
     std::cout << (rooms.rooms.empty()
                       ? "no rooms\n"
-                      : io::room_table(rooms, is_short ? kMaxTableRows
-                                                       : std::numeric_limits<std::size_t>::max()));
+                      : io::room_table(rooms, is_short ? kTerminalTable : io::TableLimits{}));
 }
 
 }  // namespace
@@ -48,7 +46,7 @@ Command rooms_command() {
     form.operands = {"DIR|PROJECT"};
     form.flags = {{std::string(kAllFlag), "", "",
                    "all rooms also on a terminal, where otherwise the largest " +
-                       std::to_string(kMaxTableRows) + " are shown"},
+                       std::to_string(kTerminalTable.rows) + " are shown"},
                   json_flag()};
     form.flags[1].text = "rooms and doors as JSON";
     form.examples = {"quadcut rooms build/demo",

@@ -9,7 +9,6 @@
 #include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "io/room_events.hpp"
-#include "io/room_list.hpp"
 
 namespace quadcut {
 namespace {
@@ -36,7 +35,7 @@ void print_text(const RunSummary& run) {
               << io::rounded(ms_since(run.begun_at), 0) << " ms\n";
     if (run.events) std::cout << io::events_text(*run.events) << "\n";
     if (is_for_people() && !rooms.rooms.empty()) {
-        std::cout << "\n" << io::room_table(rooms, kMaxTableRows) << "\n";
+        std::cout << "\n" << io::room_table(rooms, kTerminalTable) << "\n";
     }
     std::cout << run.folder << ":";
     for (const std::string& file : run.files) std::cout << " " << file;

@@ -3,19 +3,19 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/run_flags.hpp"
+#include "io/room_list.hpp"
 #include "quadcut/segment/segmentation.hpp"
 #include "quadcut/segment/track.hpp"
 
 namespace quadcut {
 
-/// The most rooms that a table on a terminal shows.
-inline constexpr std::size_t kMaxTableRows = 20;
+/// What a table on a terminal shows: 60 columns are enough for it.
+inline constexpr io::TableLimits kTerminalTable{20, 30};
 /// Whether standard output is a terminal, where a person reads.
 [[nodiscard]] bool is_for_people();
 

@@ -54,7 +54,7 @@ void FileBatch::require_free(std::span<const std::string> names) const {
 void FileBatch::require_free(const std::filesystem::path& path) const {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found) return;
+    if (status.type() == std::filesystem::file_type::not_found) return require_place(path);
     if (!std::filesystem::exists(status)) {
         throw InputError(display_name(path) + ": cannot be written: " + error.message());
     }
@@ -73,6 +73,26 @@ void FileBatch::require_free(const std::filesystem::path& path) const {
                      "write over it with --force");
 }
 
+/// A file that is not there yet: nor may it be one that the run is going to make and read, and what
+/// is there of its folders must be folders.
+void FileBatch::require_place(const std::filesystem::path& path) const {
+    std::error_code error;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(path, error);
+    for (const std::filesystem::path& input : keep_.inputs) {
+        if (error || place != std::filesystem::weakly_canonical(input, error)) continue;
+        throw InputError(display_name(path) +
+                         ": is a result of this run and something else, too: choose another name");
+    }
+    std::filesystem::path folder = path.parent_path();
+    while (!folder.empty() && folder != folder.parent_path() &&
+           !std::filesystem::exists(std::filesystem::symlink_status(folder, error))) {
+        folder = folder.parent_path();
+    }
+    if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+    throw InputError(display_name(folder) + ": is no folder: expected one for " +
+                     path.filename().string());
+}
+
 void FileBatch::make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
@@ -81,7 +101,7 @@ void FileBatch::make_folder(const std::filesystem::path& folder) {
     // A path that ends in a slash was made with its parent; what another program made is as good.
     std::error_code ignored;
     if (error && !std::filesystem::is_directory(folder, ignored)) {
-        throw InputError(display_name(folder_) + ": the folder cannot be made: " + error.message());
+        throw InputError(display_name(folder) + ": the folder cannot be made: " + error.message());
     }
 }
 

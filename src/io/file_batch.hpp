@@ -62,6 +62,7 @@ private:
     };
 
     void require_free(const std::filesystem::path& path) const;
+    void require_place(const std::filesystem::path& path) const;
     void make_folder(const std::filesystem::path& folder);
 
     std::filesystem::path folder_;

@@ -143,7 +143,8 @@ std::string words_of(const DrawnRoom& room, const std::string& number) {
     return room.name.ends_with(" " + number) ? words : number + ": " + words;
 }
 
-/// Beside the map: the rooms that have only their numbers in it. The page becomes wider.
+/// Beside the map: the rooms that have only their numbers in it. The page becomes wider, and beside
+/// a map that is long and low higher, too.
 void add_room_legend(const Layout& layout, FloorPlan& plan) {
     const double size = std::max(kLegendSize * layout.unit, kLeastLegendSize);
     std::vector<LegendLine> lines;
@@ -164,8 +165,11 @@ void add_room_legend(const Layout& layout, FloorPlan& plan) {
     if (lines.empty()) return;
     const double margin = plan.drawing_origin.x;
     const Point corner{static_cast<double>(plan.page_width), margin};
-    const double width = set_in_columns(lines, corner, plan.page_height - 2.0 * margin, Typeface());
-    plan.page_width += static_cast<std::int32_t>(std::ceil(width + margin));
+    const LegendBlock block =
+        set_in_columns(lines, corner, plan.page_height - 2.0 * margin, Typeface());
+    plan.page_width += static_cast<std::int32_t>(std::ceil(block.width + margin));
+    plan.page_height = std::max(plan.page_height,
+                                static_cast<std::int32_t>(std::ceil(block.height + 2.0 * margin)));
     std::move(lines.begin(), lines.end(), std::back_inserter(plan.legend));
 }
 

@@ -3,6 +3,7 @@
 #include "io/legend.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace quadcut::io {
@@ -31,11 +32,16 @@ double width_of(const LegendLine& line, const Typeface& typeface) {
     return (kSwatchWidth + kSwatchGap) * line.size + typeface.width(line.text, line.size);
 }
 
-double set_in_columns(std::vector<LegendLine>& lines, const Point& corner, double height,
-                      const Typeface& typeface) {
-    if (lines.empty()) return 0.0;
+LegendBlock set_in_columns(std::vector<LegendLine>& lines, const Point& corner, double height,
+                           const Typeface& typeface) {
+    if (lines.empty()) return {};
     const double line_height = kLineHeight * lines.front().size;
-    const auto per_column = static_cast<std::size_t>(std::max(height / line_height, 1.0));
+    double area = 0.0;
+    for (const LegendLine& line : lines) {
+        area += line_height * (width_of(line, typeface) + kColumnGap * line.size);
+    }
+    const double column_height = std::max({height, std::sqrt(area), line_height});
+    const auto per_column = static_cast<std::size_t>(column_height / line_height);
     double left = corner.x;
     double right = corner.x;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -44,7 +50,8 @@ double set_in_columns(std::vector<LegendLine>& lines, const Point& corner, doubl
         lines[i].left = {left, corner.y + static_cast<double>(row) * line_height + lines[i].size};
         right = std::max(right, left + width_of(lines[i], typeface));
     }
-    return right - corner.x;
+    return {right - corner.x,
+            static_cast<double>(std::min(per_column, lines.size())) * line_height};
 }
 
 }  // namespace quadcut::io

@@ -33,9 +33,15 @@ inline constexpr double kSwatchBorder = 0.09;
 /// How far a line reaches.
 [[nodiscard]] double width_of(const LegendLine& line, const Typeface& typeface);
 
-/// Sets the lines one below the other, in columns from `corner`, the upper left one, at most
-/// `height` high. Returns how wide they are together.
-double set_in_columns(std::vector<LegendLine>& lines, const Point& corner, double height,
-                      const Typeface& typeface);
+/// How far lines reach together.
+struct LegendBlock {
+    double width = 0.0;
+    double height = 0.0;
+};
+
+/// Sets the lines one below the other, in columns from `corner`, the upper left one: at most
+/// `height` high, or as high as all of them are wide when they would be wider than that.
+LegendBlock set_in_columns(std::vector<LegendLine>& lines, const Point& corner, double height,
+                           const Typeface& typeface);
 
 }  // namespace quadcut::io

@@ -6,9 +6,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <system_error>
 
 #include "io/nearest_word.hpp"
+#include "io/number_text.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -16,6 +18,7 @@ namespace {
 
 /// What is looked at of a text that is no number.
 constexpr std::size_t kLongestNumber = 32;
+constexpr int kMeantDecimals = 6;
 
 std::string number_text(double value) {
     std::array<char, 32> buffer{};
@@ -34,16 +37,29 @@ std::string quoted_range(const OptionField& field) {
                      "': expected " + expected);
 }
 
-/// The number that a text begins with when it is one that is allowed: "0,3", "1.5m".
+/// What a number is multiplied by whose unit is the field's, or a part of a metre; nothing for
+/// others.
+std::optional<double> factor_of(std::string_view unit, const OptionField& field) {
+    if (unit.empty() || unit == field.unit) return 1.0;
+    if (field.unit != "m") return std::nullopt;
+    if (unit == "cm") return 0.01;
+    return unit == "mm" ? std::optional(0.001) : std::nullopt;
+}
+
+/// The number that a text means when it is one that is allowed: "0,3", "1.5m", "5 cm".
 std::string number_meant(const OptionField& field, std::string_view text) {
     std::string with_point(text.substr(0, kLongestNumber));
     std::replace(with_point.begin(), with_point.end(), ',', '.');
     double value = 0.0;
     const char* const begin = with_point.data();
     const auto [end, error] = std::from_chars(begin, begin + with_point.size(), value);
-    const bool is_allowed = error == std::errc() && value >= field.low && value <= field.high;
-    if (!is_allowed) return "";
-    return ": " + did_you_mean({with_point.substr(0, static_cast<std::size_t>(end - begin))});
+    std::string_view unit(end, static_cast<std::size_t>(begin + with_point.size() - end));
+    while (unit.starts_with(' ')) unit.remove_prefix(1);
+    const std::optional<double> factor = factor_of(unit, field);
+    if (error != std::errc() || !factor) return "";
+    value *= *factor;
+    if (!(value >= field.low && value <= field.high)) return "";
+    return ": " + did_you_mean({rounded(value, kMeantDecimals)});
 }
 
 double parse_number(const OptionField& field, std::string_view text) {

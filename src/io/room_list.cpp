@@ -42,6 +42,14 @@ std::vector<std::size_t> largest_first(const std::vector<Room>& rooms) {
 /// Columns that a text takes, each character taken as one wide.
 std::size_t width_of(const std::string& text) { return decode_utf8(text).size(); }
 
+std::string shortened(const std::string& name, const TableLimits& limits) {
+    const std::u32string text = decode_utf8(name);
+    if (text.size() <= limits.name_length) return name;
+    std::string shorter;
+    for (const char32_t c : text.substr(0, limits.name_length - 3)) append_utf8(shorter, c);
+    return shorter + "...";
+}
+
 void append_row(std::string& table, const TableRow& row,
                 const std::array<std::size_t, kNumColumns>& widths) {
     for (std::size_t i = 0; i < kNumColumns; ++i) {
@@ -54,15 +62,15 @@ void append_row(std::string& table, const TableRow& row,
 
 }  // namespace
 
-std::string room_table(const Segmentation& segmentation, std::size_t max_rows) {
+std::string room_table(const Segmentation& segmentation, const TableLimits& limits) {
     const std::vector<Room>& rooms = segmentation.rooms;
     if (rooms.empty()) return {};
     std::map<RoomId, std::size_t> num_doors = count_doors(segmentation);
     std::vector<TableRow> rows{{"id", "name", "kind", "area", "doors"}};
     for (const std::size_t place : largest_first(rooms)) {
-        if (rows.size() > max_rows) break;
+        if (rows.size() > limits.rows) break;
         const Room& room = rooms[place];
-        rows.push_back({std::to_string(index(room.id)), name_of(room),
+        rows.push_back({std::to_string(index(room.id)), shortened(name_of(room), limits),
                         std::string(to_text(room.kind)), with_decimals(room.area_m2, 1) + " m²",
                         std::to_string(num_doors[room.id])});
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include "io/json_writer.hpp"
@@ -10,10 +11,18 @@
 
 namespace quadcut::io {
 
+/// How much a table shows.
+struct TableLimits {
+    std::size_t rows = std::numeric_limits<std::size_t>::max();
+    /// Characters of a name.
+    std::size_t name_length = std::numeric_limits<std::size_t>::max();
+};
+
 /// The rooms as a table with a line each, the largest first: id, name, kind, area, doors. Columns
-/// are aligned for a terminal. Of more than `max_rows` the rest is counted in a last line. Empty
-/// without rooms.
-[[nodiscard]] std::string room_table(const Segmentation& segmentation, std::size_t max_rows);
+/// are aligned for a terminal. Of more rooms than `limits` has rows the rest is counted in a last
+/// line, of longer names the end is left out. Empty without rooms.
+[[nodiscard]] std::string room_table(const Segmentation& segmentation,
+                                     const TableLimits& limits = {});
 
 /// The members num_rooms, num_doors, area_m2, rooms and doors of the object that is being written:
 /// what a summary in JSON says of a segmentation.

@@ -67,6 +67,20 @@ TEST(OutputFiles, AreNotTheFilesOfOthers) {
     expect_kept(folder, {"segment", map, "-o", folder / "out"}, picture, "--force");
 }
 
+TEST(OutputFiles, AreNotTheProjectNorInTheWayOfAFolder) {
+    const Folder folder;
+    const std::string log = simulated_log(folder);
+    std::filesystem::create_directories(folder / "out");
+    const std::string project = folder / "out/rooms.yaml";
+    expect_kept(folder, {"follow", log, "-o", folder / "out", "--project", project}, project,
+                "something else");
+    expect_kept(folder,
+                {"follow", log, "-o", folder / "new", "--project", folder / "new/../new/map.yaml"},
+                folder / "new/map.yaml", "something else");
+    const std::string file = folder.write("demo/simulation", "mine");
+    expect_kept(folder, {"demo", "-o", folder / "demo"}, file, "is no folder");
+}
+
 TEST(OutputFiles, OfTheSameCommandAreWrittenAnew) {
     const Folder folder;
     const std::string log = simulated_log(folder);

@@ -50,7 +50,7 @@ TEST(FileBatch, NamesAFolderThatIsAFile) {
     const std::string message = error_of([&] { FileBatch(file).add("a.txt", "new"); });
     EXPECT_NE(message.find(file.string()), std::string::npos) << message;
     const std::string below = error_of([&] { FileBatch(file / "below").add("a.txt", "new"); });
-    EXPECT_NE(below.find((file / "below").string()), std::string::npos) << below;
+    EXPECT_EQ(below.find(file.string() + ": is no folder"), 0U) << below;
 }
 
 TEST(FileBatch, NamesAFileThatIsAFolder) {

@@ -96,8 +96,11 @@ TEST(OptionField, SaysWhatWasProbablyMeant) {
               "option width: '1,5': " + number + ": did you mean '1.5'?");
     EXPECT_EQ(error_of(sample, "width", "2.5m"),
               "option width: '2.5m': " + number + ": did you mean '2.5'?");
-    // What is not allowed is not suggested.
-    EXPECT_EQ(error_of(sample, "width", "150cm"), "option width: '150cm': " + number);
+    EXPECT_EQ(error_of(sample, "width", "150 cm"),
+              "option width: '150 cm': " + number + ": did you mean '1.5'?");
+    // What is not allowed, or has another unit, is not suggested.
+    EXPECT_EQ(error_of(sample, "width", "15cm"), "option width: '15cm': " + number);
+    EXPECT_EQ(error_of(sample, "width", "3ft"), "option width: '3ft': " + number);
 }
 
 TEST(OptionField, RejectedValueChangesNothing) {

@@ -274,7 +274,7 @@ TEST(Results, NameAFolderThatCannotBeMade) {
     const test::DrawnFloor floor = two_rooms();
     const std::string message = test::error_of(
         [&] { write_results("/proc/quadcut/out", floor.map, floor.segmentation, {}); });
-    EXPECT_EQ(message.find("/proc/quadcut/out: "), 0U) << message;
+    EXPECT_EQ(message.find("/proc/quadcut: "), 0U) << message;
 }
 
 TEST(Results, KeepTheOldOnesWhenOneCannotBeWritten) {

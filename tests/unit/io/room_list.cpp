@@ -22,18 +22,25 @@ Segmentation three_rooms() {
 }
 
 TEST(RoomTable, HasTheLargestFirstInAlignedColumns) {
-    EXPECT_EQ(room_table(three_rooms(), 20),
+    EXPECT_EQ(room_table(three_rooms()),
               "id  name    kind         area  doors\n"
               " 2  Room 2  corridor  24.0 m\u00B2      2\n"
               " 1  Caf\u00E9    room       8.0 m\u00B2      1\n"
               " 3  Room 3  room       4.0 m\u00B2      1\n");
 }
 
+TEST(RoomTable, LeavesOutTheEndOfLongNames) {
+    Segmentation rooms = three_rooms();
+    rooms.rooms[0].name = "\u00C4\u00C4\u00C4\u00C4\u00C4\u00C4\u00C4\u00C4";
+    const std::string table = room_table(rooms, {20, 7});
+    EXPECT_NE(table.find(" 1  \u00C4\u00C4\u00C4\u00C4...  room"), std::string::npos) << table;
+}
+
 TEST(RoomTable, CountsWhatItLeavesOut) {
-    const std::string table = room_table(three_rooms(), 1);
+    const std::string table = room_table(three_rooms(), {1});
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
     EXPECT_NE(table.find("and 2 smaller rooms\n"), std::string::npos) << table;
-    EXPECT_EQ(room_table({}, 20), "");
+    EXPECT_EQ(room_table({}), "");
 }
 
 TEST(RoomList, AsJsonHasRoomsAndDoors) {
