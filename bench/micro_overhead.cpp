@@ -5,7 +5,6 @@
 // its peak memory; and the time of `quadcut version` against that of /bin/true.
 //   micro_overhead [-o FILE.json] [MAP ...]     (without maps: the furnished ones of a megapixel)
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -16,14 +15,10 @@
 #include <string_view>
 #include <vector>
 
-#include <fcntl.h>
 #include <nlohmann/json.hpp>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "bench/cases.hpp"
+#include "bench/child_run.hpp"
 #include "bench/result_file.hpp"
 
 namespace quadcut {
@@ -34,43 +29,6 @@ namespace fs = std::filesystem;
 constexpr int kRuns = 15;
 constexpr int kShortRuns = 200;
 constexpr const char* kNumThreads = "2";
-
-struct ChildRun {
-    double wall_ms = 0.0;
-    double cpu_ms = 0.0;
-    double peak_bytes = 0.0;
-};
-
-double in_ms(const timeval& time) {
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
-}
-
-/// Runs a program with its standard output thrown away.
-ChildRun run_child(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-
-    const auto start = std::chrono::steady_clock::now();
-    pid_t child = 0;
-    const int error =
-        posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::runtime_error(words[0] + " cannot be started");
-    int status = 0;
-    rusage usage{};
-    if (wait4(child, &status, 0, &usage) != child || status != 0) {
-        throw std::runtime_error(words[0] + " failed");
-    }
-    const auto end = std::chrono::steady_clock::now();
-    constexpr double kKibibyte = 1024.0;
-    return {std::chrono::duration<double, std::milli>(end - start).count(),
-            in_ms(usage.ru_utime) + in_ms(usage.ru_stime),
-            kKibibyte * static_cast<double>(usage.ru_maxrss)};
-}
 
 /// Minimums over the runs; the ratio is the median of the runs' own.
 struct Overhead {

@@ -312,6 +312,22 @@ def overhead(files: dict, old: str) -> str | None:
               f"{start['true_ms']:.2f}: {start['ratio']:.1f} times.\n" + source(files["overhead"]))
 
 
+def bounds(files: dict, old: str) -> str | None:
+    del old
+    if "bounds" not in files:
+        return None
+    rows = files["bounds"]["rows"]
+    logs = [[row["input"], row["command"], f"{row['cpu_ms']:.0f}", f"{row['peak_bytes'] / 2**20:.1f}",
+             f"{row['time_ratio']:.2f}", f"{row['memory_ratio']:.2f}"]
+            for row in rows if "memory_ratio" in row]
+    images = [[row["input"], f"{1e-6 * row['cells']:,.0f}", f"{row['ns_per_cell']:.0f}",
+               f"{row['bytes_per_cell']:.1f}", f"{row['time_ratio']:.2f}"]
+              for row in rows if "bytes_per_cell" in row]
+    return (table(["log", "command", "CPU ms", "peak MiB", "time / without", "memory / without"], logs)
+            + "\n" + table(["image", "megacells", "CPU ns a cell", "bytes a cell",
+                            "time / building"], images) + source(files["bounds"]))
+
+
 def peers(files: dict, old: str) -> str | None:
     del old
     if "peers" not in files:
@@ -383,7 +399,7 @@ def follow(files: dict, old: str) -> str | None:
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
-          "updates": updates, "overhead": overhead, "peers": peers, "follow": follow}
+          "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:
