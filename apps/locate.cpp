@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/command_line.hpp"
 #include "apps/numbers.hpp"
 #include "apps/run_flags.hpp"
 #include "io/json_writer.hpp"
+#include "io/nearest_word.hpp"
 #include "io/number_text.hpp"
 #include "io/previous_result.hpp"
+#include "quadcut/base/error.hpp"
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/segment/describe.hpp"
@@ -125,6 +128,12 @@ void print_as_text(const Place& place) {
 
 int answer(const Arguments& arguments) {
     const std::filesystem::path where = arguments.operands[0];
+    if (std::filesystem::exists(arguments.operands[2]) && !std::filesystem::exists(where)) {
+        const std::vector<std::string> meant{"locate", arguments.operands[2], arguments.operands[0],
+                                             arguments.operands[1]};
+        throw InputError("the folder or project comes first: " +
+                         io::did_you_mean({command_line(meant)}));
+    }
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
     const Place place = std::filesystem::is_directory(where) ? locate_in_result(where, point)
                                                              : locate_in_project(where, point);

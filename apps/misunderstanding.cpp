@@ -20,7 +20,7 @@ namespace quadcut {
 namespace {
 
 /// What other programs call flags of ours.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOtherWords{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOtherWords{
     {{"--dir", "--output"},
      {"--directory", "--output"},
      {"--folder", "--output"},
@@ -29,6 +29,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOtherWo
      {"--destination", "--output"},
      {"--cell-size", "--resolution"},
      {"--jobs", "--threads"},
+     {"--gpu", "--device"},
+     {"--cpu", "--device"},
      {"--no-progress", "--quiet"},
      {"--silent", "--quiet"}}};
 
@@ -141,6 +143,17 @@ std::string with_output(const CommandForm& form, std::span<const std::string> wo
         "; usage: " + usage_of(form));
 }
 
+/// "X,Y" in two words, when the command then has all that it needs.
+std::string without_commas(const CommandForm& form, const std::vector<std::string>& operands) {
+    std::vector<std::string> words{form.name};
+    for (const std::string& operand : operands) {
+        const std::size_t comma = operand.find(',');
+        words.push_back(operand.substr(0, comma));
+        if (comma != std::string::npos) words.push_back(operand.substr(comma + 1));
+    }
+    return words.size() == form.operands.size() + 1 ? command_line(words) : "";
+}
+
 void check_action(const CommandForm& form, const std::string& word) {
     const std::vector<std::string_view> known(form.actions.begin(), form.actions.end());
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
@@ -190,7 +203,10 @@ void check_operands(const CommandForm& form, const Arguments& arguments,
     const std::size_t count = arguments.operands.size();
     if (count > form.operands.size()) reject_operand(form, arguments, words);
     if (count < least) {
-        throw InputError("missing " + form.operands[count] + "; usage: " + usage_of(form));
+        const std::string meant = without_commas(form, arguments.operands);
+        throw InputError(
+            "missing " + form.operands[count] +
+            (meant.empty() ? "; usage: " + usage_of(form) : ": " + io::did_you_mean({meant})));
     }
     if (!form.actions.empty() && count > 1) check_action(form, arguments.operands[1]);
 }

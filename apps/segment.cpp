@@ -237,7 +237,7 @@ Command segment_command() {
         "quadcut segment build/demo/map.yaml -o rooms",
         "quadcut segment build/demo/simulation/robot.log -o rooms_of_log --previous build/demo"};
     const std::vector<Flag> greys = grey_flags();
-    form.flags.insert(form.flags.begin() + 2, greys.begin(), greys.end());
+    form.flags.insert(form.flags.begin() + 3, greys.begin(), greys.end());
     return {form, run};
 }
 

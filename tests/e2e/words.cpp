@@ -58,6 +58,18 @@ TEST(Words, LongOnesAreNotRepeated) {
     }
 }
 
+TEST(Words, PlacesInAnotherOrderOrInOneWord) {
+    const Folder folder;
+    const std::string there = folder / "";
+    EXPECT_EQ(refusal({"locate", "1", "2", there}),
+              "quadcut: the folder or project comes first: did you mean 'quadcut locate " + there +
+                  " 1 2'?\n");
+    EXPECT_EQ(refusal({"locate", there, "1.5,-2"}),
+              "quadcut: missing Y: did you mean 'quadcut locate " + there + " 1.5 -2'?\n");
+    EXPECT_NE(refusal({"segment", "map.yaml", "-o", "D", "--gpu"}).find("'--device NAME'"),
+              std::string::npos);
+}
+
 TEST(Words, PreviousThatIsNoResult) {
     const Folder folder;
     const std::string map = folder.write("map.pgm", office_pgm());
