@@ -106,13 +106,13 @@ Raster<std::uint32_t> sample_filled_regions(const Raster<std::uint32_t>& labels,
                      }
                  });
     const auto is_room = [](std::uint32_t label) { return label != 0; };
-    enclosed_patches(labels, is_room, max_furniture_cells(resolution_m), executor)
-        .for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
-            const std::size_t y = first / width;
-            if (y % 2 != 0) return;
-            std::uint32_t* const to = &samples.values[y / 2 * num_columns];
-            std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
-        });
+    for_each_enclosed_run(labels, is_room, max_furniture_cells(resolution_m), executor,
+                          [&](const CellRun& run, std::size_t first, std::uint32_t room) {
+                              const std::size_t y = first / width;
+                              if (y % 2 != 0) return;
+                              std::uint32_t* const to = &samples.values[y / 2 * num_columns];
+                              std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
+                          });
     return samples;
 }
 
