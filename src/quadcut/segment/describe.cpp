@@ -3,6 +3,7 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -167,6 +168,15 @@ std::string default_name(RoomKind kind, RoomId id) {
                              : kind == RoomKind::hall   ? "hall "
                                                         : "room ";
     return word + std::to_string(index(id));
+}
+
+RoomId room_with_default_name(std::string_view name) {
+    std::uint32_t id = 0;
+    std::from_chars(name.data() + name.rfind(' ') + 1, name.data() + name.size(), id);
+    for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
+        if (default_name(kind, RoomId{id}) == name) return RoomId{id};
+    }
+    return RoomId{};
 }
 
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
