@@ -17,6 +17,7 @@
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
 #include "io/number_text.hpp"
+#include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
 #include "store/project.hpp"
 
@@ -137,7 +138,7 @@ store::EditRecord make(const std::vector<std::string>& operands, Follower& follo
     if (record.kind != "split") record.room = room_of(words[0], follower);
     Edited edited;
     if (record.kind == "rename") {
-        edited = follower.rename(record.room, words[1]);
+        edited = follower.rename(record.room, io::trimmed_room_name(words[1]));
         record.name = follower.followed().at(static_cast<std::uint32_t>(record.room)).name;
     } else if (record.kind == "merge") {
         record.other = room_of(words[1], follower);

@@ -24,9 +24,9 @@
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
+#include "io/no_rooms_in_map.hpp"
 #include "io/results.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/segment/no_rooms.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -122,7 +122,8 @@ void run(const Arguments& arguments) {
         rooms.report.warnings.push_back(std::move(warning));
     }
     if (rooms.rooms.empty()) {
-        rooms.report.warnings.push_back(why_no_rooms(follower.map().to_grid(), options.segment));
+        rooms.report.warnings.push_back(
+            io::why_no_rooms(follower.map().to_grid(), options.segment));
     }
     progress.begin("write");
     write(output, session, rooms, info);

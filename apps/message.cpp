@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iostream>
 
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace quadcut {
 namespace {
@@ -24,16 +24,16 @@ bool is_unsafe(char32_t c) {
 }
 
 std::u32string safe_text(std::string_view bytes) {
-    std::u32string text = decode_utf8(bytes);
+    std::u32string text = io::decode_utf8(bytes);
     std::replace_if(
         text.begin(), text.end(),
-        [](char32_t c) { return is_unsafe(c) || c == kReplacementCharacter; }, U'?');
+        [](char32_t c) { return is_unsafe(c) || c == io::kReplacementCharacter; }, U'?');
     return text;
 }
 
 std::string to_bytes(std::u32string_view text) {
     std::string bytes;
-    for (const char32_t c : text) append_utf8(bytes, c);
+    for (const char32_t c : text) io::append_utf8(bytes, c);
     return bytes;
 }
 

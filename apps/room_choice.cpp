@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <system_error>
 
+#include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/segment/room_name.hpp"
+#include "quadcut/segment/describe.hpp"
 
 namespace quadcut {
 namespace {
@@ -41,7 +42,7 @@ RoomId with_default_name(const std::string& name, const Follower& follower) {
 RoomId room_of(const std::string& word, const Follower& follower) {
     const RoomId id = as_id(word);
     const bool is_there = follower.followed().count(static_cast<std::uint32_t>(id)) != 0;
-    const std::string name = trimmed_room_name(word);
+    const std::string name = io::trimmed_room_name(word);
     const RoomId named = with_given_name(name, follower);
     if (is_there && named != RoomId{} && named != id) {
         throw InputError("'" + name + "' is the id of one room and the name of room " +

@@ -24,6 +24,7 @@
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/no_rooms.hpp"
+#include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
 #include "io/results.hpp"
@@ -179,8 +180,9 @@ void run(const Arguments& arguments) {
     io::RunInfo info = run_info_of(options);
     Segmentation rooms = segment(input.map, options, input.trajectory,
                                  [&clock](std::string_view stage) { clock.begin(stage); });
-    if (rooms.rooms.empty() && !input.why_no_rooms.empty()) {
-        rooms.report.warnings.push_back(input.why_no_rooms);
+    if (rooms.rooms.empty()) {
+        rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
+        if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);
     }
     if (previous) {
         info.previous_colors = previous->legend.colors;

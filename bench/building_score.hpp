@@ -103,10 +103,8 @@ inline CaseResult measure(const BuildingCase& chosen) {
     result.chosen = chosen;
     const io::LabelImage truth = as_label_image(mapped.truth);
     result.rooms = io::score_rooms(as_label_image(found.labels), truth);
-    SegmentOptions baseline = watershed_baseline();
-    baseline.num_threads = 1;
-    result.baseline = io::score_rooms(
-        as_label_image(segment(mapped.map, baseline, mapped.trajectory).labels), truth);
+    result.baseline =
+        io::score_rooms(as_label_image(watershed_baseline(mapped.map, mapped.trajectory)), truth);
     result.doors = DoorScorer(mapped, found).score();
     const Pose image_from_map = inverse(mapped.map.map_from_image);
     const Beside beside(mapped.map);

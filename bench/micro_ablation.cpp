@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/baseline.hpp"
 #include "bench/building_case.hpp"
 #include "bench/cases.hpp"
 #include "bench/data_map.hpp"
@@ -31,14 +30,6 @@ struct Variant {
     std::function<void(SegmentOptions&)> change;
 };
 
-/// By the ratio, with a threshold: tools/train/ablation.py chooses it for a building by the others.
-Variant by_ratio(int percent) {
-    return {"fuse rule", "ratio " + std::to_string(percent), [percent](SegmentOptions& options) {
-                options.rooms.fuse = FuseRule::ratio;
-                options.rooms.min_ratio = 0.01 * percent;
-            }};
-}
-
 /// The spectral cut in front, and one thing about it changed. Pieces have about 16 m^2 at 0.8 /
 /// m^2.
 Variant spectral(const std::string& ingredient, const std::string& name,
@@ -53,8 +44,6 @@ std::vector<Variant> variants() {
     std::vector<Variant> all{
         {"", "as it is", [](SegmentOptions&) {}},
         spectral("pieces", "spectral, snapped to basins", [](RoomsOptions&) {}),
-        spectral("pieces", "spectral alone, not snapped",
-                 [](RoomsOptions& rooms) { rooms.pieces = PieceSource::unsnapped; }),
         spectral("over-cut", "spectral, pieces twice as large",
                  [](RoomsOptions& rooms) { rooms.max_eigenvalue_per_m2 = 0.4; }),
         spectral("over-cut", "spectral, pieces a quarter as large",
@@ -67,14 +56,6 @@ std::vector<Variant> variants() {
         })};
     all.push_back({"furniture", "every obstacle counts",
                    [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }});
-    all.push_back({"furniture", "small ones do not count",
-                   [](SegmentOptions& options) { options.rooms.furniture = FurnitureRule::size; }});
-    all.push_back({"furniture", "small ones with room around do not", [](SegmentOptions& options) {
-                       options.rooms.furniture = FurnitureRule::reach;
-                   }});
-    for (int percent = 55; percent <= 90; percent += 5) all.push_back(by_ratio(percent));
-    all.push_back({"watershed baseline", "no furniture, one ratio",
-                   [](SegmentOptions& options) { options = watershed_baseline(); }});
     return all;
 }
 

@@ -218,15 +218,14 @@ std::vector<bool> are_shorter(const std::vector<CellBounds>& bounds, std::int32_
 /// What one room encloses and is not too large becomes furniture.
 void find_furniture(FloorCells& cells, std::size_t max_cells, const Executor& executor) {
     Raster<std::uint16_t>& ground = cells.ground;
-    const EnclosedPatches<std::uint16_t> found =
-        enclosed_patches(ground, is_room, max_cells, executor);
-    found.for_each_run([&](const CellRun& run, std::size_t first, std::uint16_t room) {
+    const auto add = [&](const CellRun& run, std::size_t first, std::uint16_t room) {
         for (std::size_t place = first; place < first + (run.end - run.begin); ++place) {
             const std::uint16_t was = std::exchange(ground.values[place], room);
             if (was == kWall) cells.furniture.values[place] = kFurniture;
             if (was == 0) cells.furniture.values[place] = kFurnitureInside;
         }
-    });
+    };
+    for_each_enclosed_run(ground, is_room, max_cells, executor, add);
 }
 
 /// Adds the free cells to the mask that nothing but walls touches.

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace quadcut::io {
 namespace {

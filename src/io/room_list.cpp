@@ -10,7 +10,7 @@
 
 #include "io/number_text.hpp"
 #include "io/room_text.hpp"
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace quadcut::io {
 namespace {

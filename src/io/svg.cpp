@@ -11,7 +11,7 @@
 #include "io/authorship.hpp"
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace quadcut::io {
 namespace {

@@ -14,7 +14,7 @@
 #include <stb/stb_truetype.h>
 
 #include "io/font.hpp"
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace quadcut::io {
 namespace {

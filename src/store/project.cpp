@@ -70,6 +70,21 @@ Statement meta(const Database& database, std::string_view key) {
     return statement;
 }
 
+/// Whether an option of earlier projects, which is none any more, has the value that all have now.
+/// Throws InputError when it has another one.
+bool is_without_choice(std::string_view name, std::string_view value) {
+    // It meant something for rooms.fuse=ratio only.
+    if (name == "rooms.min_ratio") return true;
+    const std::string_view left = name == "rooms.fuse"        ? "model"
+                                  : name == "rooms.furniture" ? "off_wall"
+                                                              : "";
+    if (left.empty()) return false;
+    if (value == left) return true;
+    throw InputError("was begun with " + std::string(name) + " = " + std::string(value) +
+                     ", which is no choice any more: expected " + std::string(left) +
+                     "; 'quadcut follow LOG -o DIR --project FILE' begins a new project");
+}
+
 std::size_t count_in_meta(const Database& database, std::string_view key) {
     return static_cast<std::size_t>(meta(database, key).integer(0, 0, kMaxCount));
 }
@@ -156,7 +171,11 @@ void Project::read_options() {
     const std::vector<OptionField> fields = option_fields(options_.segment);
     Statement statement(database_, "SELECT name, value FROM options ORDER BY name");
     try {
-        while (statement.step()) io::set_option(fields, statement.text(0), statement.text(1));
+        while (statement.step()) {
+            const std::string name = statement.text(0);
+            const std::string value = statement.text(1);
+            if (!is_without_choice(name, value)) io::set_option(fields, name, value);
+        }
     } catch (const InputError& error) {
         throw InputError(io::display_name(database_.path()) + ": " + error.what());
     }

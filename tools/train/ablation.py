@@ -6,8 +6,7 @@
   ./run bench ablation          or: tools/train/ablation.py [SAMPLES.csv] [-o FILE.json]
 
 In-sample with the door model as it is; then each building with a model trained without it, from
-samples of build/release/bench/micro_doors. The ratio of the ratio rule is chosen in the same two
-ways. Prints each map as it is, left out, and the table; keeps all scores in build/ablation.
+samples of build/release/bench/micro_doors. Prints each map as it is, left out, and the table; keeps all scores in build/ablation.
 """
 
 import argparse
@@ -40,23 +39,8 @@ def scores(path):
     return json.loads(path.read_text())["rows"]
 
 
-def is_ratio(row):
-    return row["variant"].startswith("ratio ")
-
-
 def mean(rows):
     return statistics.mean(row["pq"] for row in rows) if rows else float("nan")
-
-
-def with_best_ratio(rows, judges):
-    """The rows, those of the ratio rule only with the ratio that has the best mean for `judges`."""
-    ratios = sorted({row["variant"] for row in judges if is_ratio(row)})
-    best = max(ratios, key=lambda ratio: mean([r for r in judges if r["variant"] == ratio]))
-    kept = [dict(row) for row in rows if not is_ratio(row) or row["variant"] == best]
-    for row in kept:
-        if is_ratio(row):
-            row["variant"] = "one ratio, the best of " + str(len(ratios))
-    return kept
 
 
 def table(in_sample, left_out):
@@ -135,13 +119,8 @@ def main():
     run(BENCH / "micro_ablation", "--simulated", NUM_SIMULATED, "-o", OUT / "in_sample.json")
 
     in_sample = scores(OUT / "in_sample.json")
-    hand_made = [row for row in in_sample if row["kind"] != "simulated"]
-    left_out = []
-    for building in buildings:
-        others = [row for row in hand_made if row["input"].split(".")[0] != building]
-        left_out += with_best_ratio(scores(OUT / f"without_{building}.json"), others)
-    in_sample = with_best_ratio(in_sample, hand_made)
-
+    left_out = [row for building in buildings
+                for row in scores(OUT / f"without_{building}.json")]
     rows = table(in_sample, left_out)
     show(rows)
     if options.output:

@@ -60,6 +60,14 @@ struct Box {
     friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// Calls visit(cell) for all cells of a box, row by row.
+template <typename Visit>
+void for_each_cell(const Box& box, const Visit& visit) {
+    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
+        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) visit(cell);
+    }
+}
+
 /// `point_in_b` expressed in frame a.
 [[nodiscard]] inline Point transform(const Pose& a_from_b, const Point& point_in_b) {
     const double c = std::cos(a_from_b.yaw_rad);

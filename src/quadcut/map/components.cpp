@@ -11,6 +11,11 @@ namespace {
 /// A building fills at least this much of the ground around it; less are things inside of one.
 constexpr double kMinBuildingShare = 0.05;
 
+Box box_of(const FreeComponents& free) {
+    const auto height = static_cast<std::int32_t>(free.parts.row_begin.size() - 1);
+    return {free.origin, {free.origin.x + free.parts.width - 1, free.origin.y + height - 1}};
+}
+
 }  // namespace
 
 FreeComponents find_free_components(const Raster<CellState>& states, const Executor& executor) {
@@ -21,19 +26,16 @@ FreeComponents find_free_components(const Raster<CellState>& states, const Execu
         Connectivity::four, executor);
     free.components.resize(free.parts.count);
     const std::size_t num_rows = free.parts.row_begin.size() - 1;
-    for (std::size_t y = 0; y < num_rows; ++y) {
-        const bool is_edge_row = y == 0 || y + 1 == num_rows;
-        for (std::size_t i = free.parts.row_begin[y]; i < free.parts.row_begin[y + 1]; ++i) {
-            const CellRun& run = free.parts.runs[i];
-            FreeComponents::Component& component = free.components[run.part - 1];
-            const std::uint32_t length = run.end - run.begin;
-            const auto last_column = static_cast<std::uint32_t>(states.width - 1);
-            const std::uint32_t num_ends =
-                (run.begin == 0 ? 1U : 0U) + (run.end > last_column && last_column > 0 ? 1U : 0U);
-            component.num_cells += length;
-            component.num_border_cells += is_edge_row ? length : num_ends;
-        }
-    }
+    const auto width = static_cast<std::size_t>(states.width);
+    free.parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        FreeComponents::Component& component = free.components[run.part - 1];
+        const std::uint32_t length = run.end - run.begin;
+        const bool is_edge_row = first < width || first >= width * (num_rows - 1);
+        const std::uint32_t num_ends =
+            (run.begin == 0 ? 1U : 0U) + (run.end == width && width > 1 ? 1U : 0U);
+        component.num_cells += length;
+        component.num_border_cells += is_edge_row ? length : num_ends;
+    });
     return free;
 }
 
@@ -59,9 +61,7 @@ std::optional<std::size_t> find_outside(const FreeComponents& free, std::size_t 
 
 std::vector<bool> components_with(const FreeComponents& free, std::span<const Cell> cells) {
     std::vector<bool> found(free.components.size(), false);
-    const Box box{free.origin,
-                  {free.origin.x + free.parts.width - 1,
-                   free.origin.y + static_cast<std::int32_t>(free.parts.row_begin.size()) - 2}};
+    const Box box = box_of(free);
     for (const Cell& cell : cells) {
         if (!box.contains(cell)) continue;
         const std::uint32_t part =
@@ -74,10 +74,7 @@ std::vector<bool> components_with(const FreeComponents& free, std::span<const Ce
 
 Raster<std::uint8_t> mask_of(const FreeComponents& free, const std::vector<bool>& kept,
                              const Executor& executor) {
-    auto mask = Raster<std::uint8_t>::unset(
-        {free.origin,
-         {free.origin.x + free.parts.width - 1,
-          free.origin.y + static_cast<std::int32_t>(free.parts.row_begin.size()) - 2}});
+    auto mask = Raster<std::uint8_t>::unset(box_of(free));
     std::vector<std::uint8_t> values(kept.size() + 1, 0);
     std::copy(kept.begin(), kept.end(), values.begin() + 1);
     free.parts.paint(values, mask, executor);

@@ -29,14 +29,11 @@ std::vector<std::vector<std::size_t>> ConnectedParts::cells_of(
 std::vector<bool> ConnectedParts::on_edge() const {
     std::vector<bool> result(count + std::size_t{1}, false);
     const std::size_t num_rows = row_begin.size() - 1;
-    for (std::size_t y = 0; y < num_rows; ++y) {
-        for (std::size_t i = row_begin[y]; i < row_begin[y + 1]; ++i) {
-            if (y == 0 || y + 1 == num_rows || runs[i].begin == 0 ||
-                runs[i].end == static_cast<std::uint32_t>(width)) {
-                result[runs[i].part] = true;
-            }
-        }
-    }
+    const auto length = static_cast<std::size_t>(width);
+    for_each_run([&](const CellRun& run, std::size_t first) {
+        const bool is_edge_row = first < length || first >= length * (num_rows - 1);
+        if (is_edge_row || run.begin == 0 || run.end == length) result[run.part] = true;
+    });
     return result;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
@@ -25,43 +24,25 @@ inline constexpr double kMaxFurnitureM2 = 16.0;
         std::min(kMaxFurnitureM2 / (resolution_m * resolution_m) + 0.5, kMost));
 }
 
-/// Connected cells of no room (8-connected), and the room around each.
-template <typename Label>
-struct EnclosedPatches {
-    ConnectedParts patches;
-    /// 0 where several rooms or the edge of the raster meet the patch, and for patches too large.
-    std::vector<Label> room_around;
-
-    /// Calls `visit(run, offset of its first cell, room)` for what one room encloses.
-    template <typename Visitor>
-    void for_each_run(const Visitor& visit) const {
-        patches.for_each_run([&](const CellRun& run, std::size_t first) {
-            if (room_around[run.part] != 0) visit(run, first, room_around[run.part]);
-        });
-    }
-};
-
-/// The patches of cells whose label is no room, of at most `max_cells`, that one room encloses.
-/// O(cells).
-template <typename Label, typename IsRoom>
-[[nodiscard]] EnclosedPatches<Label> enclosed_patches(const Raster<Label>& labels,
-                                                      const IsRoom& is_room, std::size_t max_cells,
-                                                      const Executor& executor = {}) {
-    EnclosedPatches<Label> found{
-        connected_parts(
-            labels, [&](std::size_t i) { return is_room(labels.values[i]) ? 0 : 1; },
-            Connectivity::eight, executor),
-        {}};
-    std::vector<bool> is_other = found.patches.on_edge();
-    const std::vector<std::size_t> num_cells = found.patches.num_cells();
+/// Finds patches of connected cells (8-connected) whose label is no room, of at most `max_cells`,
+/// that one room encloses: not several, nor the edge of the raster. Calls `visit(run, offset of its
+/// first cell, room)` for their runs, after which labels may change. O(cells).
+template <typename Label, typename IsRoom, typename Visit>
+void for_each_enclosed_run(const Raster<Label>& labels, const IsRoom& is_room,
+                           std::size_t max_cells, const Executor& executor, const Visit& visit) {
+    const ConnectedParts patches = connected_parts(
+        labels, [&](std::size_t i) { return is_room(labels.values[i]) ? 0 : 1; },
+        Connectivity::eight, executor);
+    std::vector<bool> is_other = patches.on_edge();
+    const std::vector<std::size_t> num_cells = patches.num_cells();
     for (std::size_t i = 1; i < is_other.size(); ++i) {
         if (num_cells[i] > max_cells) is_other[i] = true;
     }
-    found.room_around.resize(is_other.size());
+    std::vector<Label> room_around(is_other.size());
     const auto width = static_cast<std::size_t>(labels.width);
-    found.patches.for_each_run([&](const CellRun& run, std::size_t first) {
+    patches.for_each_run([&](const CellRun& run, std::size_t first) {
         if (is_other[run.part]) return;
-        Label& room = found.room_around[run.part];
+        Label& room = room_around[run.part];
         const auto meet = [&](std::size_t place) {
             const Label met = labels.values[place];
             if (!is_room(met)) return;
@@ -76,10 +57,10 @@ template <typename Label, typename IsRoom>
             meet(place + width);
         }
     });
-    for (std::size_t i = 1; i < is_other.size(); ++i) {
-        if (is_other[i]) found.room_around[i] = 0;
-    }
-    return found;
+    patches.for_each_run([&](const CellRun& run, std::size_t first) {
+        const Label room = room_around[run.part];
+        if (room != 0 && !is_other[run.part]) visit(run, first, room);
+    });
 }
 
 }  // namespace quadcut

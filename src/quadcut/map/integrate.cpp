@@ -124,9 +124,8 @@ Box cells_in_reach(const OccupancyMap& map, const Scan& scan, const IntegrateOpt
     const double reach = std::min(range_m, options.usable_range_m) / map.resolution_m();
     const auto cells = static_cast<std::int32_t>(std::ceil(std::min(reach, kMaxRangeCells))) + 1;
     const Cell at = cell_of({sensor.x, sensor.y});
-    const Cell low = first_cell_of(tile_of({at.x - cells, at.y - cells}));
-    const Cell high = first_cell_of(tile_of({at.x + cells, at.y + cells}));
-    return {low, {high.x + kTileSide - 1, high.y + kTileSide - 1}};
+    return cells_of_tiles(
+        {tile_of({at.x - cells, at.y - cells}), tile_of({at.x + cells, at.y + cells})});
 }
 
 std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,

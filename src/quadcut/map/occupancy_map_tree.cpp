@@ -24,26 +24,18 @@ Box box_of_known(const Raster<CellState>& states) {
     return box;
 }
 
-// The first cell of a tile and its last.
-Box cells_of(Cell tile) {
-    const Cell low = first_cell_of(tile);
-    return {low, {low.x + kTileSide - 1, low.y + kTileSide - 1}};
-}
-
 // Makes `known` hold the known cells of a tile.
 void include_known(const Tile& values, Cell tile, Box& known) {
-    const Box cells = cells_of(tile);
-    if (!known.is_empty() && known.contains(cells.low) && known.contains(cells.high)) return;
-    for (Cell cell = cells.low; cell.y <= cells.high.y; ++cell.y) {
-        for (cell.x = cells.low.x; cell.x <= cells.high.x; ++cell.x) {
-            if (values.values[place_in_tile(cell)] != 0) known.include({cell, cell});
-        }
-    }
+    const Box cells = cells_of_tiles({tile, tile});
+    if (known.contains(cells.low) && known.contains(cells.high)) return;
+    for_each_cell(cells, [&](Cell cell) {
+        if (values.values[place_in_tile(cell)] != 0) known.include({cell, cell});
+    });
 }
 
 // Writes the cells of a tile that lie in the raster.
 void put_tile(const Tile& values, Cell tile, Raster<CellState>& states) {
-    const Box cells = cells_of(tile).intersected(states.box());
+    const Box cells = cells_of_tiles({tile, tile}).intersected(states.box());
     if (cells.is_empty()) return;
     for (std::int32_t y = cells.low.y; y <= cells.high.y; ++y) {
         const std::int8_t* row = &values.values[place_in_tile({cells.low.x, y})];
@@ -102,18 +94,14 @@ OccupancyMap OccupancyMap::from_grid(const GridMap& grid) {
 Raster<CellState> OccupancyMap::to_raster() const {
     const Box tiles = written_tiles();
     Box known;
-    for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
-        for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
-            if (store_.shared_log_odds(tile) != 0) include_known(store_.tile(tile), tile, known);
-        }
-    }
+    for_each_cell(tiles, [&](Cell tile) {
+        if (store_.shared_log_odds(tile) != 0) include_known(store_.tile(tile), tile, known);
+    });
     Raster<CellState> states(known);
     // Most of the box may never have been seen.
-    for (Cell tile = tiles.low; tile.y <= tiles.high.y; ++tile.y) {
-        for (tile.x = tiles.low.x; tile.x <= tiles.high.x; ++tile.x) {
-            if (store_.shared_log_odds(tile) != 0) put_tile(store_.tile(tile), tile, states);
-        }
-    }
+    for_each_cell(tiles, [&](Cell tile) {
+        if (store_.shared_log_odds(tile) != 0) put_tile(store_.tile(tile), tile, states);
+    });
     return states;
 }
 

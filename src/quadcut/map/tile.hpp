@@ -26,6 +26,11 @@ constexpr std::size_t kTileCells = kTileSide * kTileSide;
 [[nodiscard]] constexpr Cell first_cell_of(Cell tile) {
     return {tile.x * kTileSide, tile.y * kTileSide};
 }
+/// The cells of tiles.
+[[nodiscard]] constexpr Box cells_of_tiles(const Box& tiles) {
+    const Cell high = first_cell_of(tiles.high);
+    return {first_cell_of(tiles.low), {high.x + kTileSide - 1, high.y + kTileSide - 1}};
+}
 /// Where a cell lies in its tile, 8 y + x.
 [[nodiscard]] constexpr std::size_t place_in_tile(Cell cell) {
     return static_cast<std::size_t>((cell.y & (kTileSide - 1)) * kTileSide +

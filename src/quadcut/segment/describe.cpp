@@ -3,6 +3,7 @@
 #include "quadcut/segment/describe.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -106,13 +107,13 @@ Raster<std::uint32_t> sample_filled_regions(const Raster<std::uint32_t>& labels,
                      }
                  });
     const auto is_room = [](std::uint32_t label) { return label != 0; };
-    enclosed_patches(labels, is_room, max_furniture_cells(resolution_m), executor)
-        .for_each_run([&](const CellRun& run, std::size_t first, std::uint32_t room) {
-            const std::size_t y = first / width;
-            if (y % 2 != 0) return;
-            std::uint32_t* const to = &samples.values[y / 2 * num_columns];
-            std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
-        });
+    for_each_enclosed_run(labels, is_room, max_furniture_cells(resolution_m), executor,
+                          [&](const CellRun& run, std::size_t first, std::uint32_t room) {
+                              const std::size_t y = first / width;
+                              if (y % 2 != 0) return;
+                              std::uint32_t* const to = &samples.values[y / 2 * num_columns];
+                              std::fill(to + (run.begin + 1) / 2, to + (run.end + 1) / 2, room);
+                          });
     return samples;
 }
 
@@ -167,6 +168,15 @@ std::string default_name(RoomKind kind, RoomId id) {
                              : kind == RoomKind::hall   ? "hall "
                                                         : "room ";
     return word + std::to_string(index(id));
+}
+
+RoomId room_with_default_name(std::string_view name) {
+    std::uint32_t id = 0;
+    std::from_chars(name.data() + name.rfind(' ') + 1, name.data() + name.size(), id);
+    for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
+        if (default_name(kind, RoomId{id}) == name) return RoomId{id};
+    }
+    return RoomId{};
 }
 
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
@@ -16,6 +17,9 @@ namespace quadcut {
 
 /// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
 [[nodiscard]] std::string default_name(RoomKind kind, RoomId id);
+
+/// The room whose default name this is or would be, whatever its kind; 0 = none.
+[[nodiscard]] RoomId room_with_default_name(std::string_view name);
 
 /// Area, centroid, label point, kind and name of each region 1 .. count, whose doors are given.
 /// Names are the default ones. O(cells); `memory` as of clearance_m().

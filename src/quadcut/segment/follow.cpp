@@ -61,12 +61,6 @@ std::vector<Box> patches(const std::map<std::pair<std::int32_t, std::int32_t>, s
     return result;
 }
 
-/// The cells of tiles.
-Box cells_of_tiles(const Box& tiles) {
-    const Cell high = first_cell_of(tiles.high);
-    return {first_cell_of(tiles.low), {high.x + kTileSide - 1, high.y + kTileSide - 1}};
-}
-
 }  // namespace
 
 std::uint64_t free_rows(const Tile& tile) { return rows_below_zero(tile); }

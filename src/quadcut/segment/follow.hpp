@@ -102,8 +102,8 @@ public:
     std::optional<FollowUpdate> refine();
 
     /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
-    /// does not exist or the edit cannot be made, and say why. A name is trimmed_room_name()'s,
-    /// and no other room's.
+    /// does not exist or the edit cannot be made, and say why. A name is kept as
+    /// it is, and no other room's; an empty one is none.
     Edited rename(RoomId room, std::string_view name);
     /// `other` becomes part of `room`, which it touches; what is one stays one.
     Edited merge(RoomId room, RoomId other);

@@ -33,8 +33,7 @@ std::uint64_t rows_of(const RoomTile& tile, std::uint32_t room) {
 template <typename IsWanted>
 std::uint64_t without_unwanted(Cell tile, std::uint64_t rows, const Raster<std::uint32_t>& raster,
                                const IsWanted& is_wanted) {
-    const Box cells{cell_in(tile, 0), cell_in(tile, kTileCells - 1)};
-    if (cells.intersected(raster.box()).is_empty()) return rows;
+    if (cells_of_tiles({tile, tile}).intersected(raster.box()).is_empty()) return rows;
     for (std::uint64_t rest = rows; rest != 0; rest &= rest - 1) {
         const Cell cell = cell_in(tile, std::countr_zero(rest));
         if (raster.contains(cell) && !is_wanted(cell)) rows ^= rest & (~rest + 1);
@@ -127,12 +126,9 @@ std::vector<Cell> Follower::cells_outside(const LocalWindow& window, std::uint32
         outside.groups[group].for_each(add);
         return cells;
     }
-    const Cell high = tile_of(box.high);
-    for (Cell tile = tile_of(box.low); tile.y <= high.y; ++tile.y) {
-        for (tile.x = tile_of(box.low).x; tile.x <= high.x; ++tile.x) {
-            if (cells_.contains(tile)) add(tile, ~std::uint64_t{0});
-        }
-    }
+    for_each_cell({tile_of(box.low), tile_of(box.high)}, [&](Cell tile) {
+        if (cells_.contains(tile)) add(tile, ~std::uint64_t{0});
+    });
     return cells;
 }
 

@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/follow.hpp"
-#include "quadcut/segment/room_name.hpp"
 #include "quadcut/segment/split_line.hpp"
 
 namespace quadcut {
@@ -28,33 +29,41 @@ std::uint64_t bit_of(Cell cell) { return std::uint64_t{1} << place_in_tile(cell)
 
 /// Calls visit(cell) for the cells of a room.
 template <typename Visit>
-void for_each_cell(const RoomCells& cells, std::uint32_t room, const Box& box, const Visit& visit) {
-    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
-        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) {
-            if (cells.room(cell) == room) visit(cell);
-        }
-    }
+void for_each_cell_of(std::uint32_t room, const RoomCells& cells, const Box& box,
+                      const Visit& visit) {
+    for_each_cell(box, [&](Cell cell) {
+        if (cells.room(cell) == room) visit(cell);
+    });
 }
 
-/// Gives cells that other ones part from the most of their value to those others.
-void give_what_is_shut_off(Raster<std::uint8_t>& mask, std::uint8_t value, std::uint8_t other) {
-    std::vector<bool> seen(mask.values.size(), false);
-    std::vector<std::vector<std::size_t>> parts;
-    for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        if (seen[i] || mask.values[i] != value) continue;
-        parts.push_back(flood(mask, i, seen, Connectivity::four,
-                              [&](std::size_t k) { return mask.values[k] == value; }));
-    }
-    std::stable_sort(parts.begin(), parts.end(),
-                     [](const auto& p, const auto& q) { return p.size() > q.size(); });
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const bool do_touch = std::any_of(parts[i].begin(), parts[i].end(), [&](std::size_t k) {
-            const Neighbours beside(mask, k, Connectivity::four);
-            return std::any_of(beside.begin(), beside.end(),
-                               [&](std::size_t n) { return mask.values[n] == other; });
-        });
-        if (!do_touch) continue;
-        for (const std::size_t k : parts[i]) mask.values[k] = other;
+bool is_beside(Cell cell, std::uint32_t room, const RoomCells& cells) {
+    return std::any_of(kBeside.begin(), kBeside.end(), [&](Cell step) {
+        return cells.room({cell.x + step.x, cell.y + step.y}) == room;
+    });
+}
+
+/// In masks of a room: the part that it loses.
+constexpr std::uint8_t kPart = 2;
+
+/// What the part shuts off from the most of the room's rest becomes part of it.
+void give_what_is_shut_off(Raster<std::uint8_t>& mask) {
+    const ConnectedParts rests =
+        connected_parts(mask, [&](std::size_t i) { return mask.values[i] == 1 ? 1 : 0; });
+    const std::vector<std::size_t> num_cells = rests.num_cells();
+    std::vector<bool> is_shut_off(num_cells.size(), false);
+    const auto most = std::max_element(num_cells.begin(), num_cells.end()) - num_cells.begin();
+    rests.for_each_run([&](const CellRun& run, std::size_t first) {
+        for (std::size_t i = first; i < first + (run.end - run.begin); ++i) {
+            const Neighbours beside(mask, i, Connectivity::four);
+            if (std::any_of(beside.begin(), beside.end(),
+                            [&](std::size_t n) { return mask.values[n] == kPart; })) {
+                is_shut_off[run.part] = true;
+            }
+        }
+    });
+    is_shut_off[static_cast<std::size_t>(most)] = false;
+    for (const auto& cells : rests.cells_of(is_shut_off)) {
+        for (const std::size_t i : cells) mask.values[i] = kPart;
     }
 }
 
@@ -79,10 +88,10 @@ Edit Follower::edit_of(RoomId room) const {
 Edited Follower::rename(RoomId room, std::string_view name) {
     Edit edit = edit_of(room);
     RoomSettings& settings = edit.settings.begin()->second;
-    settings.name = trimmed_room_name(name);
+    settings.name = name;
     RoomId owner = room_with_default_name(settings.name);
     for (const auto& [id, other] : rooms_) {
-        if (other.name == settings.name) owner = RoomId{id};
+        if (!name.empty() && other.name == name) owner = RoomId{id};
     }
     if (owner != RoomId{} && owner != room) {
         throw InputError("'" + settings.name + "' is the name of " + name_of(owner) +
@@ -156,11 +165,9 @@ void Follower::join(const Edit& edit, Edited& done) {
         throw InputError("one of the rooms is locked: it keeps its border");
     }
     bool do_touch = false;
-    for_each_cell(cells_, from, ended.box, [&](Cell cell) {
+    for_each_cell_of(from, cells_, ended.box, [&](Cell cell) {
         done.inverse.cells[tile_at(cell)] |= bit_of(cell);
-        do_touch = do_touch || std::any_of(kBeside.begin(), kBeside.end(), [&](Cell step) {
-                       return cells_.room({cell.x + step.x, cell.y + step.y}) == into;
-                   });
+        do_touch = do_touch || is_beside(cell, into, cells_);
     });
     if (into == from || !do_touch) {
         throw InputError("rooms " + std::to_string(into) + " and " + std::to_string(from) +
@@ -169,7 +176,7 @@ void Follower::join(const Edit& edit, Edited& done) {
     done.inverse.border = Edit::Border::part;
     done.inverse.settings[from] = ended;
     done.inverse.lines = take_split_lines(edit);
-    for_each_cell(cells_, from, ended.box, [&](Cell cell) { cells_.set_room(cell, into); });
+    for_each_cell_of(from, cells_, ended.box, [&](Cell cell) { cells_.set_room(cell, into); });
     whole.num_cells += ended.num_cells;
     whole.peak_m = std::max(whole.peak_m, ended.peak_m);
     whole.box.include(ended.box);
@@ -208,19 +215,18 @@ void Follower::part(const Edit& edit, Edited& done) {
     if (whole.is_locked)
         throw InputError(name_of(RoomId{from}) + " is locked: it keeps its border");
     Raster<std::uint8_t> mask = mask_of(from);
-    constexpr std::uint8_t kPart = 2;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
         const auto tile = edit.cells.find(tile_at(mask.cell(i)));
         if (mask.values[i] == 0 || tile == edit.cells.end()) continue;
         if ((tile->second & bit_of(mask.cell(i))) != 0) mask.values[i] = kPart;
     }
-    give_what_is_shut_off(mask, 1, kPart);
+    give_what_is_shut_off(mask);
     FollowedRoom part;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        if (mask.values[i] == kPart) part.box.include({mask.cell(i), mask.cell(i)});
+        if (mask.values[i] != kPart) continue;
+        part.box.include({mask.cell(i), mask.cell(i)});
+        ++part.num_cells;
     }
-    part.num_cells =
-        static_cast<std::size_t>(std::count(mask.values.begin(), mask.values.end(), kPart));
     const bool is_all = part.num_cells == whole.num_cells;
     if (part.num_cells == 0 || (is_all && RoomId{from} == edit.room)) {
         throw InputError("the floor of one of the rooms " + std::to_string(index(edit.room)) +
@@ -247,21 +253,16 @@ void Follower::catch_up(std::uint32_t room, FollowUpdate& update) {
     MapUpdate change;
     const Box box = rooms_.at(room).box.grown(1);
     std::set<std::pair<std::int32_t, std::int32_t>> tiles;
-    for (Cell cell = box.low; cell.y <= box.high.y; ++cell.y) {
-        for (cell.x = box.low.x; cell.x <= box.high.x; ++cell.x) {
-            const bool is_free = map_.state(cell) == CellState::free;
-            const std::uint32_t own = cells_.room(cell);
-            const bool is_beside = std::any_of(kBeside.begin(), kBeside.end(), [&](Cell step) {
-                return cells_.room({cell.x + step.x, cell.y + step.y}) == room;
-            });
-            if (is_free ? own != 0 || !is_beside : own != room) continue;
-            // What is noted as a change already is cut in its time.
-            const std::uint64_t cut_free = cells_.tile(tile_of(cell)).cut_free;
-            if (((cut_free & bit_of(cell)) != 0) != is_free) continue;
-            cells_.set_cut_free(cell, !is_free);
-            tiles.insert(tile_at(cell));
-        }
-    }
+    for_each_cell(box, [&](Cell cell) {
+        const bool is_free = map_.state(cell) == CellState::free;
+        const std::uint32_t own = cells_.room(cell);
+        if (is_free ? own != 0 || !is_beside(cell, room, cells_) : own != room) return;
+        // What is noted as a change already is cut in its time.
+        const std::uint64_t cut_free = cells_.tile(tile_of(cell)).cut_free;
+        if (((cut_free & bit_of(cell)) != 0) != is_free) return;
+        cells_.set_cut_free(cell, !is_free);
+        tiles.insert(tile_at(cell));
+    });
     for (const auto& [x, y] : tiles) change.written.push_back({x, y});
     note_changes(change);
     if (!tiles.empty()) cut_again(0.0, update);
@@ -270,7 +271,7 @@ void Follower::catch_up(std::uint32_t room, FollowUpdate& update) {
 Raster<std::uint8_t> Follower::mask_of(std::uint32_t room) const {
     const Box& box = rooms_.at(room).box;
     Raster<std::uint8_t> mask(box);
-    for_each_cell(cells_, room, box, [&](Cell cell) { mask.at(cell) = 1; });
+    for_each_cell_of(room, cells_, box, [&](Cell cell) { mask.at(cell) = 1; });
     return mask;
 }
 

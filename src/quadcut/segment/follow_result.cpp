@@ -45,10 +45,9 @@ Segmentation Follower::rooms() const {
     const auto count = static_cast<std::uint32_t>(place_of_room.size());
     const Executor executor{static_cast<int>(options_.segment.num_threads)};
     const RoomsOptions& rooms = options_.segment.rooms;
-    Raster<float> clearance =
-        clearance_m(open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2,
-                               rooms.furniture, executor),
-                    grid.resolution_m, executor);
+    Raster<float> clearance = clearance_m(
+        open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2, executor),
+        grid.resolution_m, executor);
     const Layout layout = as_it_lies(grid.states.box());
     result.doors =
         find_doors(labels, count, clearance, {layout, grid.resolution_m, grid.map_from_image},

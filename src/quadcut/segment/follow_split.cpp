@@ -107,17 +107,14 @@ Edited Follower::split(const Point& from, const Point& to) {
 
 /// The nearest one within kNearM; 0 = none.
 std::uint32_t Follower::nearest_room(Cell to) const {
-    const std::int32_t reach = in_cells(kNearM);
     std::uint32_t nearest = 0;
     double least = kNearM / options_.resolution_m;
-    for (std::int32_t dy = -reach; dy <= reach; ++dy) {
-        for (std::int32_t dx = -reach; dx <= reach; ++dx) {
-            const std::uint32_t room = cells_.room({to.x + dx, to.y + dy});
-            if (room == 0 || std::hypot(dx, dy) >= least) continue;
-            least = std::hypot(dx, dy);
-            nearest = room;
-        }
-    }
+    for_each_cell(Box{to, to}.grown(in_cells(kNearM)), [&](Cell cell) {
+        const double length = std::hypot(cell.x - to.x, cell.y - to.y);
+        if (cells_.room(cell) == 0 || length >= least) return;
+        least = length;
+        nearest = cells_.room(cell);
+    });
     return nearest;
 }
 

@@ -18,8 +18,6 @@ constexpr double kLogOddsOfGranularity = 12.0;
 /// scans much looks like a door that is none.
 constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
-/// By the ratio, openings of no width are kept at every granularity.
-constexpr double kLogOddsOfRatio = 8.0;
 
 }  // namespace
 
@@ -27,9 +25,9 @@ double fuse_threshold(double granularity) {
     return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
 }
 
-Fuser::Fuser(RegionGraph& regions, const DoorRule& rule, const Executor& executor)
-    : regions_(regions), rule_(rule), executor_(executor) {
-    if (rule_.by == FuseRule::model) regions_.measure_all(rule_.max_width_m, executor_);
+Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor)
+    : regions_(regions), max_width_m_(max_width_m), executor_(executor) {
+    regions_.measure_all(max_width_m_, executor_);
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other > region) push(region, other);
@@ -45,11 +43,8 @@ void Fuser::push(std::uint32_t a, std::uint32_t b) {
 
 double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     const Saddle& saddle = regions_.saddles(a).at(b);
-    const auto half_width_m = static_cast<double>(saddle.clearance_m);
-    if (2.0 * half_width_m > rule_.max_width_m) return kNoDoor;
-    if (rule_.by == FuseRule::model) return door_log_odds(regions_.measure(a, b));
-    const double ratio = half_width_m / std::min(regions_.peak_m(a), regions_.peak_m(b));
-    return kDefaultLogOdds + kLogOddsOfRatio * (rule_.min_ratio - ratio);
+    const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
+    return width_m > max_width_m_ ? kNoDoor : door_log_odds(regions_.measure(a, b));
 }
 
 void Fuser::fuse_below(double min_log_odds) {
@@ -63,9 +58,7 @@ void Fuser::fuse_below(double min_log_odds) {
         const bool a_larger = regions_.area_m2(top.a) >= regions_.area_m2(top.b);
         const std::uint32_t heir = a_larger ? top.a : top.b;
         regions_.join(heir, a_larger ? top.b : top.a);
-        if (rule_.by == FuseRule::model) {
-            regions_.measure_around(heir, rule_.max_width_m, executor_);
-        }
+        regions_.measure_around(heir, max_width_m_, executor_);
         for (const auto& [other, saddle] : regions_.saddles(heir)) push(heir, other);
     }
 }

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/region_graph.hpp"
 #include "quadcut/segment/regions.hpp"
 
@@ -18,20 +17,12 @@ namespace quadcut {
 /// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many).
 [[nodiscard]] double fuse_threshold(double granularity);
 
-/// How door-like a cut is.
-struct DoorRule {
-    /// Openings that are wider separate nothing.
-    double max_width_m = 4.0;
-    FuseRule by = FuseRule::model;
-    /// By the ratio: what is narrower is a door.
-    double min_ratio = 0.75;
-};
-
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
 class Fuser {
 public:
-    /// The regions must outlive the fuser, and nothing else may join them while it is in use.
-    Fuser(RegionGraph& regions, const DoorRule& rule, const Executor& executor = {});
+    /// Openings that are wider than `max_width_m` separate nothing. The regions must outlive the
+    /// fuser, and nothing else may join them while it is in use.
+    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {});
 
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
@@ -55,7 +46,7 @@ private:
     [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
 
     RegionGraph& regions_;
-    DoorRule rule_;
+    double max_width_m_;
     Executor executor_;
     std::priority_queue<Candidate> queue_;
 };

@@ -36,7 +36,7 @@ HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint3
 }  // namespace
 
 Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                          const DoorRule& rule, std::span<const Enclosure> enclosures) {
+                          double max_width_m, std::span<const Enclosure> enclosures) {
     std::vector<std::uint32_t> finest;
     std::vector<std::uint32_t> number(regions.num_pieces() + 1, 0);
     Hierarchy hierarchy;
@@ -54,7 +54,7 @@ Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regio
         throw InputError("the finest level of the hierarchy has " + std::to_string(finest.size()) +
                          " regions: expected at most 65535, the range of a label");
     }
-    Fuser fuser(regions, rule);
+    Fuser fuser(regions, max_width_m);
     for (int step = kNumSteps; step >= 0; --step) {
         const double granularity = static_cast<double>(step) / kNumSteps;
         fuser.fuse_below(fuse_threshold(granularity));

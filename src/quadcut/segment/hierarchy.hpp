@@ -17,7 +17,7 @@ namespace quadcut {
 /// cell's region. The graph is a copy to go on with. Positions are those of `labels`. Throws
 /// InputError when there are more than 65535 regions. O(cells, and what fusing costs).
 [[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                                        const DoorRule& rule,
+                                        double max_width_m,
                                         std::span<const Enclosure> enclosures = {});
 
 }  // namespace quadcut

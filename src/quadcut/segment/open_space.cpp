@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
-#include "quadcut/map/clearance.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
 #include "quadcut/map/line_walk.hpp"
@@ -31,8 +30,6 @@ constexpr double kFlawM = 0.1;
 constexpr double kMinWallM = 0.4;
 constexpr double kMinPieceM = 0.2;
 constexpr double kFaceM = 0.25;
-/// By the reach, furniture has so much room around it when no other furniture is there.
-constexpr float kReachM = 0.75F;
 
 /// Questions about free space; positions and lengths in cells.
 class WallSeeker {
@@ -191,20 +188,14 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     return small;
 }
 
-void set_all(Raster<std::uint8_t>& open, const std::vector<std::size_t>& obstacle,
-             std::uint8_t value) {
-    for (const std::size_t cell : obstacle) open.values[cell] = value;
-}
-
 }  // namespace
 
 Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
-                                double max_furniture_m2, FurnitureRule rule,
-                                const Executor& executor) {
+                                double max_furniture_m2, const Executor& executor) {
     const Obstacles small =
         small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
     std::vector<std::uint8_t> is_wall(small.size(), 0);
-    if (rule == FurnitureRule::off_wall && !small.empty()) {
+    if (!small.empty()) {
         const WallSeeker walls(kept, resolution_m);
         parallel_for(executor, small.size(), kObstaclesPerChunk,
                      [&](std::size_t first, std::size_t last) {
@@ -215,16 +206,8 @@ Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
     }
     Raster<std::uint8_t> open = std::move(kept);
     for (std::size_t i = 0; i < small.size(); ++i) {
-        if (is_wall[i] == 0) set_all(open, small[i], 1);
-    }
-    if (rule == FurnitureRule::reach) {
-        const Raster<float> clearance = clearance_m(open, resolution_m, executor);
-        for (const std::vector<std::size_t>& obstacle : small) {
-            if (std::all_of(obstacle.begin(), obstacle.end(),
-                            [&](std::size_t cell) { return clearance.values[cell] < kReachM; })) {
-                set_all(open, obstacle, 0);
-            }
-        }
+        if (is_wall[i] != 0) continue;
+        for (const std::size_t cell : small[i]) open.values[cell] = 1;
     }
     return open;
 }

@@ -28,15 +28,10 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.max_furniture", "m^2", 0.0, 100.0,
                       "isolated obstacles below this size do not count when widths are measured",
                       "", &rooms.max_furniture_m2});
-    fields.push_back(
-        {"rooms.furniture", "", 0, 0,
-         "which of these are furniture: off_wall, no piece of a wall; reach, with 0.75 m "
-         "of room around; size, all",
-         "", choice(rooms.furniture, {"off_wall", "reach", "size"})});
     fields.push_back({"rooms.pieces", "", 0, 0,
-                      "what is fused into rooms: basins of the clearance, spectral pieces snapped "
-                      "to them, or spectral pieces as they are",
-                      "", choice(rooms.pieces, {"basins", "spectral", "unsnapped"})});
+                      "what is fused into rooms: basins of the clearance, or spectral pieces "
+                      "snapped to them",
+                      "", choice(rooms.pieces, {"basins", "spectral"})});
     fields.push_back(
         {"rooms.max_eigenvalue", "1/m^2", 0.0, 100.0,
          "spectral pieces are cut again while their second eigenvalue is smaller; without "
@@ -48,13 +43,6 @@ void add_rooms_fields(RoomsOptions& rooms, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.full_clearance", "m", 0.01, 100.0,
                       "spectral pieces: borders with less clearance than this weigh less", "",
                       &rooms.full_clearance_m});
-    fields.push_back({"rooms.fuse", "", 0, 0,
-                      "what tells a door from a bulge: the trained model, or the opening's width "
-                      "over that of the narrower region",
-                      "", choice(rooms.fuse, {"model", "ratio"})});
-    fields.push_back({"rooms.min_ratio", "", 0.0, 1.0,
-                      "by the ratio, a narrower opening than this is a door", "",
-                      &rooms.min_ratio});
     fields.push_back({"rooms.min_room", "m^2", 0.0, 1e6,
                       "smaller regions join the neighbour with the widest opening", "",
                       &rooms.min_room_m2});

@@ -16,17 +16,9 @@ namespace quadcut {
 /// `rooms`: rooms as people see them. `paper`: the method as published.
 enum class Preset : std::uint8_t { rooms, paper };
 
-/// What is fused into rooms: the basins of the clearance; the pieces of the spectral over-cut,
-/// snapped to the basins; or those pieces as they are.
-enum class PieceSource : std::uint8_t { basins, spectral, unsnapped };
-
-/// Which small obstacles are furniture: those that are no piece of a wall; those that stand where
-/// there is room around; all.
-enum class FurnitureRule : std::uint8_t { off_wall, reach, size };
-
-/// What tells a door from a bulge: the trained model, or the width of the opening over that of the
-/// narrower region.
-enum class FuseRule : std::uint8_t { model, ratio };
+/// What is fused into rooms: the basins of the clearance, or the pieces of the spectral over-cut,
+/// snapped to the basins.
+enum class PieceSource : std::uint8_t { basins, spectral };
 
 /// How the connected components of the paper's graph are found.
 enum class ComponentSearch : std::uint8_t { traversal, null_space };
@@ -37,13 +29,10 @@ struct RoomsOptions {
     double door_width_m = 4.0;
     double min_component_m2 = 4.0;
     double max_furniture_m2 = 0.3;
-    FurnitureRule furniture = FurnitureRule::off_wall;
     PieceSource pieces = PieceSource::basins;
     double max_eigenvalue_per_m2 = 0.8;
     LaplacianKind laplacian = LaplacianKind::area;
     double full_clearance_m = 1.5;
-    FuseRule fuse = FuseRule::model;
-    double min_ratio = 0.75;
     double min_room_m2 = 1.5;
     double min_passable_m = 0.4;
 };

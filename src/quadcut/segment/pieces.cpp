@@ -42,18 +42,7 @@ Graph narrowness_graph(const FreeLeaves& leaves, const Raster<float>& clearance,
     return build_graph(edges, leaf_areas_m2(leaves.table, leaves.nodes, resolution_m));
 }
 
-/// The spectral over-cut as labels.
-Basins paint(const Pieces& pieces, const FreeLeaves& leaves, const Raster<float>& clearance) {
-    Basins painted{Raster<std::uint32_t>(clearance.origin, clearance.width, clearance.height),
-                   static_cast<std::uint32_t>(pieces.count)};
-    for (std::size_t node = 0; node < leaves.nodes.size(); ++node) {
-        const Leaf& leaf = leaves.table.leaf(leaves.nodes[node]);
-        paint_leaf(leaf, pieces.piece_of_node[node] + 1, painted.labels);
-    }
-    return painted;
-}
-
-/// The spectral over-cut; its borders are moved to the narrowest lines unless they are to stay.
+/// The spectral over-cut, its borders moved to the narrowest lines.
 Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
                        const SegmentOptions& options, StageClock& clock, const Executor& executor,
                        SegmentReport& report) {
@@ -70,7 +59,6 @@ Basins spectral_pieces(const GridMap& open_map, const Raster<float>& clearance,
     report.num_leaves = leaves.nodes.size();
     report.num_edges = num_edges(graph);
     report.eigen = std::move(pieces.eigen);
-    if (options.rooms.pieces == PieceSource::unsnapped) return paint(pieces, leaves, clearance);
     clock.begin("snap");
     return snap_to_basins(build_basins(clearance, open_map.resolution_m, executor), leaves.table,
                           leaves.nodes, pieces.piece_of_node);

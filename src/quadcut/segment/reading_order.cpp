@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadcut/map/line_walk.hpp"
 #include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/label_tally.hpp"
 
@@ -18,16 +19,11 @@ namespace {
 /// middle of its area, or where that is outside of it, at its label point.
 Point place_on_page(const Room& room, const Raster<std::uint16_t>& labels, const GridMap& map) {
     const Pose image_from_map = inverse(map.map_from_image);
-    const auto in_cells = [&](const Point& point) {
-        const Point at = transform(image_from_map, point);
-        return Point{at.x / map.resolution_m, at.y / map.resolution_m};
-    };
-    const Point middle = in_cells(room.centroid);
-    const Cell cell{static_cast<std::int32_t>(std::floor(middle.x)),
-                    static_cast<std::int32_t>(std::floor(middle.y))};
+    Point at = transform(image_from_map, room.centroid);
+    const Cell cell = cell_of({at.x / map.resolution_m, at.y / map.resolution_m});
     const bool is_inside = labels.contains(cell) && labels.at(cell) == index(room.id);
-    const Point at = is_inside ? middle : in_cells(room.label_point);
-    return {at.x * map.resolution_m, -at.y * map.resolution_m};
+    if (!is_inside) at = transform(image_from_map, room.label_point);
+    return {at.x, -at.y};
 }
 
 /// The number of each room, 1 .. n: row by row, from left to right. What is less than three

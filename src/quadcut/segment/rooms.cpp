@@ -37,15 +37,14 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
 void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
-    const DoorRule rule{options.door_width_m, options.fuse, options.min_ratio};
-    Fuser(regions, rule, executor).fuse_below(fuse_threshold(1.0));
+    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
     const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
     std::optional<RegionGraph> finest_regions;
     if (hierarchy != nullptr) finest_regions.emplace(regions);
-    Fuser(regions, rule, executor).fuse_below(fuse_threshold(options.granularity));
+    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(options.granularity));
     renumber(labels, finest, executor);
     connect_regions(labels, goes_on, executor);
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
@@ -56,7 +55,8 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     drop_without_floor(labels, floor.free, executor);
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
-        *hierarchy = build_hierarchy(labels, std::move(*finest_regions), rule, adoption.enclosures);
+        *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
+                                     adoption.enclosures);
     }
     relabel(regions, labels, adoption.enclosures, executor);
 }
@@ -67,9 +67,8 @@ RoomsCut cut_into_rooms(FloorToCut floor, const SegmentOptions& options, StageCl
                         const Executor& executor, SegmentReport& report, Hierarchy* hierarchy) {
     RoomsCut cut;
     clock.begin("clearance");
-    Raster<std::uint8_t> open =
-        open_space(std::move(floor.kept), floor.resolution_m, options.rooms.max_furniture_m2,
-                   options.rooms.furniture, executor);
+    Raster<std::uint8_t> open = open_space(std::move(floor.kept), floor.resolution_m,
+                                           options.rooms.max_furniture_m2, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     Basins pieces = find_pieces(std::move(open), cut.clearance_m, floor.resolution_m, options,
                                 clock, executor, report);

@@ -16,7 +16,6 @@
 #include "quadcut/segment/find_submaps.hpp"
 #include "quadcut/segment/free_leaves.hpp"
 #include "quadcut/segment/inside.hpp"
-#include "quadcut/segment/no_rooms.hpp"
 #include "quadcut/segment/pieces.hpp"
 #include "quadcut/segment/reading_order.hpp"
 #include "quadcut/segment/rooms.hpp"
@@ -148,9 +147,6 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options,
         options.preset == Preset::rooms
             ? segment_rooms(map, options, trajectory, clock, executor)
             : segment_paper(map, options.paper, options.seed, trajectory, clock, executor);
-    if (result.rooms.empty()) {
-        result.report.warnings.push_back(why_no_rooms(map, options, trajectory));
-    }
     result.report.stages_ms = clock.finish();
     return result;
 }

@@ -167,33 +167,34 @@ std::optional<SplitLine> nearest_split(const Raster<std::uint8_t>& room, const P
                                        const Point& to, double resolution_m) {
     const Point middle{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
     const double yaw_rad = std::atan2(to.y - from.y, to.x - from.x);
+    struct Place {
+        double far_m = 0.0;
+        Point inside;
+        double yaw_rad = 0.0;
+    };
     // A place farther off, or a line turned, is the farther; a turn of 90 degrees as 2 m.
-    std::vector<std::pair<double, std::pair<Point, double>>> places;
+    std::vector<Place> places;
     const int reach = static_cast<int>(kSearchM / kStepM);
-    for (int y = -reach; y <= reach; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-            for (int k = 0; k < kNumDirections; ++k) {
-                const double turn = std::numbers::pi * k / kNumDirections;
-                const double off_rad = std::min(turn, std::numbers::pi - turn);
-                const Point place{middle.x + x * kStepM / resolution_m,
-                                  middle.y + y * kStepM / resolution_m};
-                if (!is_in(room, place)) continue;
-                const double far_m = kStepM * std::hypot(x, y) + 4.0 * off_rad / std::numbers::pi;
-                places.push_back({far_m, {place, yaw_rad + turn}});
-            }
+    for_each_cell({{-reach, -reach}, {reach, reach}}, [&](Cell step) {
+        const Point place{middle.x + step.x * kStepM / resolution_m,
+                          middle.y + step.y * kStepM / resolution_m};
+        for (int k = 0; k < kNumDirections && is_in(room, place); ++k) {
+            const double turn = std::numbers::pi * k / kNumDirections;
+            const double off_rad = std::min(turn, std::numbers::pi - turn);
+            places.push_back(
+                {kStepM * std::hypot(step.x, step.y) + 4.0 * off_rad / std::numbers::pi, place,
+                 yaw_rad + turn});
         }
-    }
+    });
     std::stable_sort(places.begin(), places.end(),
-                     [](const auto& p, const auto& q) { return p.first < q.first; });
+                     [](const Place& p, const Place& q) { return p.far_m < q.far_m; });
     places.resize(std::min(places.size(), kMaxCellsToSearch / (room.values.size() + 1) + 50));
-    for (const auto& [far, place] : places) {
-        const Point& inside = place.first;
-        const Point direction{std::cos(place.second), std::sin(place.second)};
-        const Point back{-direction.x, -direction.y};
-        const auto at_wall = [&](const Point& way) {
-            return cell_of(along(inside, way, free_length(room, inside, way)));
+    for (const Place& place : places) {
+        const auto at_wall = [&](double sign) {
+            const Point way{sign * std::cos(place.yaw_rad), sign * std::sin(place.yaw_rad)};
+            return cell_of(along(place.inside, way, free_length(room, place.inside, way)));
         };
-        const SplitLine line{at_wall(back), at_wall(direction)};
+        const SplitLine line{at_wall(-1.0), at_wall(1.0)};
         // As it will be drawn by whoever takes it.
         if (plan_split(room, middle_of(line.from), middle_of(line.to), resolution_m).line) {
             return line;

@@ -51,7 +51,7 @@ TEST(NearestWord, BeginningsAndParts) {
 }
 
 TEST(NearestWord, TheLastPartNamesAnOption) {
-    EXPECT_EQ(nearest_words("min-room", {"rooms.min_ratio", "rooms.min_room"}),
+    EXPECT_EQ(nearest_words("min-room", {"rooms.min_passable", "rooms.min_room"}),
               Words{"rooms.min_room"});
     EXPECT_EQ(nearest_words("paper.min_room", {"rooms.min_room", "paper.min_leaf"}),
               Words{"rooms.min_room"});

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/segment/describe.hpp"
 #include "quadcut/segment/follow.hpp"
 #include "tests/unit/io/scratch.hpp"
 #include "tests/unit/segment/followed.hpp"
@@ -43,8 +44,38 @@ TEST(FollowEdit, ANameStaysWithItsRoom) {
     ASSERT_NE(kitchen, nullptr);
     EXPECT_EQ(kitchen->id, room);
     EXPECT_THAT(error_of([&] { follower.rename(RoomId{77}, "x"); }), HasSubstr("no room 77"));
-    EXPECT_THAT(error_of([&] { follower.rename(room, ""); }), HasSubstr("1 to 200"));
-    EXPECT_THAT(error_of([&] { follower.rename(room, "a\nb"); }), HasSubstr("control"));
+    follower.rename(room, "");
+    EXPECT_EQ(room_called(follower.rooms(), "Kitchen"), nullptr);
+}
+
+TEST(FollowEdit, DefaultNamesBelongToTheirRooms) {
+    EXPECT_EQ(room_with_default_name("room 7"), RoomId{7});
+    EXPECT_EQ(room_with_default_name("corridor 12"), RoomId{12});
+    for (const char* const name :
+         {"room", "room 007", "Room 7 b", "7", "", "cellar 7", "room -1"}) {
+        EXPECT_EQ(room_with_default_name(name), RoomId{}) << name;
+    }
+}
+
+TEST(FollowEdit, ANameIsNoOtherRooms) {
+    Follower follower;
+    follower.update_cells(hall_with_wall());
+    const RoomId left = follower.room_at({2.0, 3.0});
+    const RoomId right = follower.room_at({9.0, 3.0});
+    const std::string number = std::to_string(index(right));
+    follower.rename(right, "Store");
+    EXPECT_THAT(error_of([&] { follower.rename(left, "Store"); }),
+                HasSubstr("'Store' is the name of room " + number));
+    for (const std::string word : {"room ", "corridor ", "hall "}) {
+        EXPECT_THAT(error_of([&] { follower.rename(left, word + number); }),
+                    HasSubstr("is the name of room " + number));
+        EXPECT_THAT(error_of([&] { follower.rename(left, word + "4711"); }),
+                    HasSubstr("is the name of room 4711"))
+            << "a room of later has it";
+    }
+    follower.rename(left, "room " + std::to_string(index(left)));
+    follower.rename(right, "Store");
+    EXPECT_EQ(follower.followed().at(static_cast<std::uint32_t>(right)).name, "Store");
 }
 
 TEST(FollowEdit, AMergeStaysMerged) {

@@ -265,12 +265,9 @@ TEST(OpenSpace, WhatAFlawCutsOffAWallIsWallAndALegBesideItIsNot) {
     const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
     EXPECT_EQ(open.at({52, 30}), 0) << "the end of the wall";
     EXPECT_EQ(open.at({48, 70}), 1) << "the leg";
-    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::size).at({52, 30}), 1) << "by size alone";
-    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::reach).at({52, 30}), 0)
-        << "the rest of the wall is near";
 }
 
-TEST(OpenSpace, ByReachWhatStandsInANarrowPlaceIsWall) {
+TEST(OpenSpace, WhatStandsInANarrowPlaceIsFurniture) {
     // A corridor of 1 m with a leg in its middle.
     Raster<std::uint8_t> kept({0, 0}, 100, 24);
     for (std::int32_t y = 2; y < 22; ++y) {
@@ -279,7 +276,6 @@ TEST(OpenSpace, ByReachWhatStandsInANarrowPlaceIsWall) {
         }
     }
     EXPECT_EQ(open_space(kept, 0.05, 0.3).at({50, 11}), 1);
-    EXPECT_EQ(open_space(kept, 0.05, 0.3, FurnitureRule::reach).at({50, 11}), 0);
 }
 
 TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {

@@ -299,11 +299,6 @@ TEST(Segment, SpectralPiecesGiveTheSameRoomsOfAnOffice) {
     EXPECT_EQ(sorted_areas(result), areas);
     EXPECT_GT(result.report.num_leaves, 100U);
     EXPECT_FALSE(result.report.eigen.empty());
-    options.rooms.pieces = PieceSource::unsnapped;
-    expect_sound(map, segment(map, options));
-    options.rooms.pieces = PieceSource::basins;
-    options.rooms.fuse = FuseRule::ratio;
-    EXPECT_EQ(segment(map, options).rooms.size(), 7U) << "clear doors need no model";
 }
 
 TEST(Segment, PaddingDoesNotMatter) {

@@ -3,6 +3,8 @@
 #include "store/project.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -160,6 +162,28 @@ TEST(Project, RowsThatCannotBeAreRefused) {
         const std::string error =
             error_of([&] { static_cast<void>(Project(path, Access::read).follower()); });
         EXPECT_THAT(error, HasSubstr("p.quadcut: ")) << sql;
+    }
+}
+
+TEST(Project, OptionsThatAreNoneAnyMoreAreReadOver) {
+    const ScratchFolder folder;
+    const auto path = project_of_two_rooms(folder);
+    Database(path, Access::write)
+        .run(
+            "INSERT INTO options VALUES('rooms.fuse', 'model'), ('rooms.furniture', 'off_wall'), "
+            "('rooms.min_ratio', '0.6')");
+    EXPECT_EQ(Project(path, Access::write).follower().num_rooms(), 2U);
+    for (const auto& [name, value, words] :
+         {std::array{"rooms.fuse", "ratio",
+                     "was begun with rooms.fuse = ratio, which is no choice"},
+          std::array{"rooms.furniture", "reach", "expected off_wall; 'quadcut follow LOG -o DIR"},
+          std::array{"rooms.pieces", "unsnapped", "expected basins or spectral"},
+          std::array{"rooms.other", "1", "unknown option 'rooms.other'"}}) {
+        const std::string row = std::string("VALUES('") + name + "', '" + value + "')";
+        std::filesystem::copy_file(path, folder.path() / name);
+        Database(folder.path() / name, Access::write).run("REPLACE INTO options " + row);
+        EXPECT_THAT(error_of([&] { Project(folder.path() / name, Access::read); }),
+                    testing::AllOf(HasSubstr(name), HasSubstr(words)));
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 #include <gtest/gtest.h>
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 std::string again(std::string_view bytes) {
@@ -29,4 +29,4 @@ TEST(Utf8, ReplacesWhatIsNoText) {
 }
 
 }  // namespace
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/room_name.hpp"
+#include "io/room_name.hpp"
 
 #include <algorithm>
-#include <charconv>
 
+#include "io/utf8.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/base/utf8.hpp"
-#include "quadcut/segment/describe.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 constexpr std::size_t kMaxCharacters = 200;
@@ -47,13 +45,4 @@ std::string trimmed_room_name(std::string_view name) {
     return trimmed;
 }
 
-RoomId room_with_default_name(std::string_view name) {
-    std::uint32_t id = 0;
-    std::from_chars(name.data() + name.rfind(' ') + 1, name.data() + name.size(), id);
-    for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
-        if (default_name(kind, RoomId{id}) == name) return RoomId{id};
-    }
-    return RoomId{};
-}
-
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/no_rooms.hpp"
+#include "io/no_rooms_in_map.hpp"
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 #include "quadcut/segment/segment.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 /// A map of unknown cells, with free ones from (x0, y0) up to (x1, y1).
@@ -22,24 +22,22 @@ GridMap map_with_free(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::in
     return map;
 }
 
-/// The one warning of a map without rooms.
-std::string warning_of(const GridMap& map, const SegmentOptions& options = {}) {
-    const Segmentation result = segment(map, options);
-    EXPECT_TRUE(result.rooms.empty());
-    EXPECT_EQ(result.report.warnings.size(), 1U);
-    return result.report.warnings.empty() ? std::string() : result.report.warnings.front();
+/// Why there is none in a map without rooms.
+std::string reason_of(const GridMap& map, const SegmentOptions& options = {}) {
+    EXPECT_TRUE(segment(map, options).rooms.empty());
+    return why_no_rooms(map, options);
 }
 
 void expect_words(const std::string& text, const std::string& words) {
     EXPECT_NE(text.find(words), std::string::npos) << text;
 }
 
-TEST(NoRooms, BecauseNothingIsFree) {
-    expect_words(warning_of(map_with_free(0, 0, 0, 0)), "no cell of the map is free");
+TEST(NoRoomsInMap, BecauseNothingIsFree) {
+    expect_words(reason_of(map_with_free(0, 0, 0, 0)), "no cell of the map is free");
 }
 
-TEST(NoRooms, BecauseAllIsTooSmall) {
-    const std::string text = warning_of(map_with_free(50, 20, 86, 56));
+TEST(NoRoomsInMap, BecauseAllIsTooSmall) {
+    const std::string text = reason_of(map_with_free(50, 20, 86, 56));
     expect_words(text, "3.24 m²");
     expect_words(text, "rooms.min_component");
     SegmentOptions larger;
@@ -47,13 +45,13 @@ TEST(NoRooms, BecauseAllIsTooSmall) {
     EXPECT_EQ(segment(map_with_free(50, 20, 86, 56), larger).rooms.size(), 1U);
 }
 
-TEST(NoRooms, BecauseAllIsTooNarrow) {
+TEST(NoRoomsInMap, BecauseAllIsTooNarrow) {
     SegmentOptions narrow;
     narrow.rooms.min_component_m2 = 1.0;
-    expect_words(warning_of(map_with_free(20, 40, 180, 44), narrow), "rooms.min_passable");
+    expect_words(reason_of(map_with_free(20, 40, 180, 44), narrow), "rooms.min_passable");
 }
 
-TEST(NoRooms, BecauseTheRestIsGroundOutside) {
+TEST(NoRoomsInMap, BecauseTheRestIsGroundOutside) {
     GridMap map = map_with_free(0, 0, 200, 100);
     for (std::int32_t y = 20; y < 60; ++y) {
         for (std::int32_t x = 20; x < 180; ++x) {
@@ -63,18 +61,14 @@ TEST(NoRooms, BecauseTheRestIsGroundOutside) {
     }
     SegmentOptions narrow;
     narrow.rooms.min_component_m2 = 2.0;
-    expect_words(warning_of(map, narrow), "ground outside");
+    expect_words(reason_of(map, narrow), "ground outside");
 }
 
-TEST(NoRooms, OfThePaper) {
+TEST(NoRoomsInMap, OfThePaper) {
     SegmentOptions paper;
     paper.preset = Preset::paper;
-    expect_words(warning_of(map_with_free(50, 20, 60, 30), paper), "paper.min_component");
-}
-
-TEST(NoRooms, AreNotWarnedOfWhereThereAreSome) {
-    EXPECT_TRUE(segment(map_with_free(10, 10, 150, 80)).report.warnings.empty());
+    expect_words(reason_of(map_with_free(50, 20, 60, 30), paper), "paper.min_component");
 }
 
 }  // namespace
-}  // namespace quadcut
+}  // namespace quadcut::io

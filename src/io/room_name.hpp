@@ -5,15 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "quadcut/base/ids.hpp"
-
-namespace quadcut {
+namespace quadcut::io {
 
 /// A name as it is kept: without the spaces at its ends. Throws InputError unless it is UTF-8 of 1
 /// to 200 characters, none of which controls the text around it.
 [[nodiscard]] std::string trimmed_room_name(std::string_view name);
 
-/// The room whose default name this is or would be, whatever its kind; 0 = none.
-[[nodiscard]] RoomId room_with_default_name(std::string_view name);
-
-}  // namespace quadcut
+}  // namespace quadcut::io

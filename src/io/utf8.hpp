@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace quadcut {
+namespace quadcut::io {
 
 /// Stands for bytes that are no text.
 inline constexpr char32_t kReplacementCharacter = 0xFFFD;
@@ -17,4 +17,4 @@ inline constexpr char32_t kReplacementCharacter = 0xFFFD;
 /// Appends one code point. @pre it is one that decode_utf8 returns.
 void append_utf8(std::string& text, char32_t code_point);
 
-}  // namespace quadcut
+}  // namespace quadcut::io

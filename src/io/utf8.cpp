@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/base/utf8.hpp"
+#include "io/utf8.hpp"
 
 #include <array>
 #include <bit>
 #include <cstddef>
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 constexpr unsigned kBitsPerContinuation = 6;
@@ -61,4 +61,4 @@ void append_utf8(std::string& text, char32_t code_point) {
     }
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/no_rooms.hpp"
+#include "io/no_rooms_in_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "quadcut/map/components.hpp"
 #include "quadcut/segment/inside.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 std::string with_unit(double value, const char* unit) {
@@ -52,4 +52,4 @@ std::string why_no_rooms(const GridMap& map, const SegmentOptions& options,
            " (--set rooms.min_passable=...)";
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io
