@@ -12,6 +12,7 @@
 
 #include "apps/command.hpp"
 #include "apps/numbers.hpp"
+#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "io/json_writer.hpp"
 #include "io/number_text.hpp"
@@ -126,8 +127,8 @@ void print_as_text(const Place& place) {
 int answer(const Arguments& arguments) {
     const std::filesystem::path where = arguments.operands[0];
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
-    const Place place = std::filesystem::is_directory(where) ? locate_in_result(where, point)
-                                                             : locate_in_project(where, point);
+    const Place place = room_place_of(where) == RoomPlace::folder ? locate_in_result(where, point)
+                                                                  : locate_in_project(where, point);
     if (summary_style_of(arguments) == SummaryStyle::json) {
         print_as_json(place);
     } else {

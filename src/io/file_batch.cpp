@@ -33,6 +33,17 @@ Placed put_in_place(const std::filesystem::path& from, const std::filesystem::pa
     return placed;
 }
 
+/// By any of their names; also of a file that is yet to be made, as a project is.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    if (std::filesystem::equivalent(a, b, error)) return true;
+    if (std::filesystem::exists(a, error)) return false;
+    const auto place = [&error](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    };
+    return !b.empty() && place(a) == place(b) && !error;
+}
+
 }  // namespace
 
 FileBatch::FileBatch(std::filesystem::path folder, Protected keep)
@@ -53,6 +64,12 @@ void FileBatch::require_free(std::span<const std::string> names) const {
 
 void FileBatch::require_free(const std::filesystem::path& path) const {
     std::error_code error;
+    for (const std::filesystem::path& input : keep_.inputs) {
+        if (!is_same_file(path, input)) continue;
+        throw InputError(display_name(path) +
+                         ": is read by this run, and would be written over by its results: choose "
+                         "another folder with -o");
+    }
     const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return;
     if (!std::filesystem::exists(status)) {
@@ -60,12 +77,6 @@ void FileBatch::require_free(const std::filesystem::path& path) const {
     }
     if (std::filesystem::is_directory(path, error)) {
         throw InputError(display_name(path) + ": cannot be written: it is a folder");
-    }
-    for (const std::filesystem::path& input : keep_.inputs) {
-        if (!std::filesystem::equivalent(path, input, error) || error) continue;
-        throw InputError(display_name(path) +
-                         ": is read by this run, and would be written over by its results: choose "
-                         "another folder with -o");
     }
     if (keep_.foreign == ForeignFiles::replace || is_own_file(path)) return;
     throw InputError(display_name(path) +

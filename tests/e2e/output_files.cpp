@@ -53,6 +53,19 @@ TEST(OutputFiles, AreNeverTheInput) {
                 poses, "is read");
 }
 
+TEST(OutputFiles, AreNoProjectThatIsYetToBeMade) {
+    const Folder folder;
+    const std::string log = simulated_log(folder);
+    const std::string project = folder / "new/rooms.yaml";
+    expect_kept(folder, {"follow", log, "-o", folder / "new", "--project", project}, project,
+                "is read by this run");
+    expect_kept(
+        folder,
+        {"follow", log, "-o", folder / "D", "--project", folder / "D/../D/rooms.png", "--force"},
+        folder / "D/rooms.png", "is read by this run");
+    expect_done({"follow", log, "-o", folder / "new", "--project", folder / "new/home.quadcut"});
+}
+
 TEST(OutputFiles, AreNotTheFilesOfOthers) {
     const Folder folder;
     const std::string log = simulated_log(folder);
