@@ -116,8 +116,8 @@ TEST(Misunderstanding, Actions) {
     form.actions = {"paint", "paper"};
     EXPECT_EQ(error_of({"north", "paint"}, form), "no error");
     EXPECT_EQ(error_of({"north", "pain"}, form),
-              "edit: 'pain': expected one of paint paper: did you mean 'paint'?");
-    EXPECT_EQ(error_of({"north", "move"}, form), "edit: 'move': expected one of paint paper");
+              "edit: 'pain': expected paint or paper: did you mean 'paint'?");
+    EXPECT_EQ(error_of({"north", "move"}, form), "edit: 'move': expected paint or paper");
 }
 
 }  // namespace
