@@ -155,7 +155,7 @@ void print_story(const std::string& folder, const Simulation& simulation, const 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder = output_folder(arguments, kDefaultFolder);
-    io::FileBatch output = begin_output(arguments, files_of_demo(), {}, kDefaultFolder);
+    io::FileBatch output = begin_output(arguments, files_of_demo(), kDefaultFolder);
     SimulationChoice choice;
     set_fields(arguments, simulation_fields(choice));
     Progress progress(progress_style_of(arguments));

@@ -10,13 +10,16 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/command_line.hpp"
 #include "apps/numbers.hpp"
 #include "apps/room_choice.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
+#include "io/nearest_word.hpp"
 #include "io/number_text.hpp"
+#include "io/room_list.hpp"
 #include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
 #include "store/project.hpp"
@@ -39,12 +42,16 @@ constexpr std::array<Action, 8> kActions{{{"rename", 2, "ROOM NAME"},
                                           {"redo", 0, "nothing more"},
                                           {"history", 0, "nothing more"}}};
 
-constexpr std::string_view kActionNames =
-    "rename, merge, split, lock, unlock, undo, redo or history";
+std::vector<std::string_view> action_names() {
+    std::vector<std::string_view> names;
+    for (const Action& action : kActions) names.push_back(action.name);
+    return names;
+}
+
 void check_words(const std::vector<std::string>& operands) {
     if (operands.size() < 2) {
         throw InputError("edit " + operands[0] +
-                         ": expected an action: " + std::string(kActionNames));
+                         ": expected an action: " + io::either_of(action_names()));
     }
     for (const Action& action : kActions) {
         if (action.name != operands[1]) continue;
@@ -85,8 +92,8 @@ std::string_view text_of(store::EditState state) {
     return "";
 }
 
-void write_json(io::JsonWriter& json, const store::EditRecord& edit, double resolution_m) {
-    json.begin_object();
+/// The members of an object that is being written.
+void write_edit(io::JsonWriter& json, const store::EditRecord& edit, double resolution_m) {
     json.key("number").integer(static_cast<std::uint64_t>(edit.number));
     json.key("scan").integer(edit.scan);
     json.key("kind").text(edit.kind);
@@ -106,7 +113,16 @@ void write_json(io::JsonWriter& json, const store::EditRecord& edit, double reso
     }
     json.key("is_undone").boolean(!text_of(edit.state).empty());
     json.key("can_be_redone").boolean(edit.state == store::EditState::undone);
+}
+
+/// The edit, and the rooms and doors that there are after it.
+void print_json(const store::EditRecord& edit, const Segmentation& rooms, double resolution_m) {
+    io::JsonWriter json;
+    json.begin_object(io::JsonLayout::lines);
+    write_edit(json, edit, resolution_m);
+    io::write_rooms_and_doors(json, rooms);
     json.end_object();
+    std::cout << json.finish();
 }
 
 void print_history(const store::Project& project, SummaryStyle style) {
@@ -115,7 +131,11 @@ void print_history(const store::Project& project, SummaryStyle style) {
     if (style == SummaryStyle::json) {
         io::JsonWriter json;
         json.begin_array(io::JsonLayout::lines);
-        for (const store::EditRecord& edit : edits) write_json(json, edit, resolution_m);
+        for (const store::EditRecord& edit : edits) {
+            json.begin_object();
+            write_edit(json, edit, resolution_m);
+            json.end_object();
+        }
         json.end_array();
         std::cout << json.finish();
         return;
@@ -203,13 +223,12 @@ void run(const Arguments& arguments) {
     const Uninterrupted uninterrupted;
     project.save(follower, project.position());
     if (style == SummaryStyle::json) {
-        io::JsonWriter json;
-        write_json(json, edit, resolution_m);
-        std::cout << json.finish();
+        print_json(edit, follower.rooms(), resolution_m);
         return;
     }
-    std::cout << story << "\nfiles that were written before do not show it: 'quadcut export "
-              << operands[0] << " -o DIR' writes them anew\n";
+    const std::vector<std::string> anew{"export", operands[0], "-o", "DIR"};
+    std::cout << story << "\nfiles that were written before do not show it: '" << command_line(anew)
+              << "' writes them anew\n";
 }
 
 }  // namespace
@@ -223,8 +242,9 @@ Command edit_command() {
     form.operands = {"PROJECT", "ACTION", "ROOM|X1", "NAME|OTHER|Y1", "X2", "Y2"};
     form.num_optional = 5;
     form.flags = {json_flag()};
-    form.flags[0].text = "the edit, or all of the history, as JSON";
-    form.actions = {"rename", "merge", "split", "lock", "unlock", "undo", "redo", "history"};
+    form.flags[0].text =
+        "the edit with the rooms and doors after it, or all of the history, as JSON";
+    for (const std::string_view name : action_names()) form.actions.emplace_back(name);
     form.examples = {"quadcut edit build/demo/building.quadcut rename 1 Hall",
                      "quadcut edit build/demo/building.quadcut undo"};
     return {form, run};

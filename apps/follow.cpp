@@ -55,14 +55,6 @@ void write(io::FileBatch& output, const FollowSession& session, const Segmentati
     output.commit();
 }
 
-/// A project is read and written all the time: no result may take its place.
-std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
-    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
-    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
-    if (const auto project = arguments.value("--project")) inputs.emplace_back(*project);
-    return inputs;
-}
-
 FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
                             const PosedLog& log) {
     const std::optional<std::string> project = arguments.value("--project");
@@ -76,7 +68,7 @@ FollowSession begin_session(const Arguments& arguments, const FollowOptions& opt
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
-    io::FileBatch output = begin_output(arguments, followed_files(), inputs_of(arguments));
+    io::FileBatch output = begin_output(arguments, followed_files());
     FollowOptions options;
     options.resolution_m = resolution_of(arguments).value_or(kLogResolution);
     PlayChoice play;
@@ -114,17 +106,10 @@ void run(const Arguments& arguments) {
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
-    Segmentation rooms = follower.rooms();
-    rooms.report.num_leaves = follower.map().num_leaves();
+    std::vector<std::string> warnings = log.warnings;
+    for (std::string& warning : session.warnings()) warnings.push_back(std::move(warning));
+    Segmentation rooms = followed_rooms(follower, options.segment, std::move(warnings));
     rooms.report.stages_ms = clock.finish();
-    rooms.report.warnings = log.warnings;
-    for (std::string& warning : session.warnings()) {
-        rooms.report.warnings.push_back(std::move(warning));
-    }
-    if (rooms.rooms.empty()) {
-        rooms.report.warnings.push_back(
-            io::why_no_rooms(follower.map().to_grid(), options.segment));
-    }
     progress.begin("write");
     write(output, session, rooms, info);
     progress.wipe();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "io/file.hpp"
@@ -38,6 +39,16 @@ void require_same(const std::filesystem::path& path, FollowOptions project, Foll
     }
 }
 
+/// Mostly the folder of the results, which is there when they are.
+void make_folder_of(const std::filesystem::path& path) {
+    std::error_code error;
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+    if (error) {
+        throw InputError(io::display_name(path) +
+                         ": its folder cannot be made: " + error.message());
+    }
+}
+
 std::string_view bytes_of(const double& value, std::array<char, sizeof(double)>& buffer) {
     std::memcpy(buffer.data(), &value, sizeof value);
     return {buffer.data(), buffer.size()};
@@ -58,7 +69,10 @@ std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed) {
 
 store::Project open_project(const std::filesystem::path& path, const FollowOptions& options,
                             const store::LogPosition& log, std::size_t num_scans) {
-    if (!std::filesystem::exists(path)) return store::Project::create(path, options, log);
+    if (!std::filesystem::exists(path)) {
+        make_folder_of(path);
+        return store::Project::create(path, options, log);
+    }
     store::Project project(path, store::Access::write);
     if (project.position().log_hash != log.log_hash) {
         throw InputError(io::display_name(path) + ": follows another log, " +
@@ -71,6 +85,12 @@ store::Project open_project(const std::filesystem::path& path, const FollowOptio
                          std::to_string(num_scans));
     }
     return project;
+}
+
+std::vector<std::string> warnings_of(const store::LogPosition& position) {
+    if (position.num_left_out == 0) return {};
+    return {"scans left out: " + std::to_string(position.num_left_out) +
+            "; the first: " + position.first_left_out};
 }
 
 FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan> scans,
@@ -132,12 +152,6 @@ std::string FollowSession::story() const {
 void FollowSession::save() {
     project_->save(follower_, position_);
     saved_at_ = std::chrono::steady_clock::now();
-}
-
-std::vector<std::string> FollowSession::warnings() const {
-    if (position_.num_left_out == 0) return {};
-    return {"scans left out: " + std::to_string(position_.num_left_out) +
-            "; the first: " + position_.first_left_out};
 }
 
 }  // namespace quadcut

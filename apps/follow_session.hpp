@@ -17,6 +17,9 @@
 
 namespace quadcut {
 
+/// The scans that were left out of what a project follows, if any: one warning.
+[[nodiscard]] std::vector<std::string> warnings_of(const store::LogPosition& position);
+
 /// Scans that are followed one by one, from the first on or from where a project was left, which
 /// then is saved every half a second.
 class FollowSession {
@@ -49,7 +52,7 @@ public:
     /// The project as a file. @pre there is one, and finish() was called.
     [[nodiscard]] std::string project_bytes() const { return project_->file_bytes(); }
     /// What was left out, if anything.
-    [[nodiscard]] std::vector<std::string> warnings() const;
+    [[nodiscard]] std::vector<std::string> warnings() const { return warnings_of(position_); }
 
 private:
     void keep(const FollowUpdate& update);

@@ -13,6 +13,7 @@
 #include "apps/command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/numbers.hpp"
+#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "io/json_writer.hpp"
 #include "io/nearest_word.hpp"
@@ -135,8 +136,8 @@ int answer(const Arguments& arguments) {
                          io::did_you_mean({command_line(meant)}));
     }
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
-    const Place place = std::filesystem::is_directory(where) ? locate_in_result(where, point)
-                                                             : locate_in_project(where, point);
+    const Place place = room_place_of(where) == RoomPlace::folder ? locate_in_result(where, point)
+                                                                  : locate_in_project(where, point);
     if (summary_style_of(arguments) == SummaryStyle::json) {
         print_as_json(place);
     } else {

@@ -51,14 +51,18 @@ int run(std::span<const std::string> words) {
         std::cout << help_of(command.form);
         return kDone;
     }
-    if (command.answer != nullptr) return command.answer(arguments);
-    command.run(arguments);
+    int exit_code = kDone;
+    if (command.answer != nullptr) {
+        exit_code = command.answer(arguments);
+    } else {
+        command.run(arguments);
+    }
     if (const int count = num_threads_missing(); count > 0) {
         print_warnings({std::to_string(count) +
                         " of the threads that were asked for could not be "
                         "started (see 'ulimit -u' and 'ulimit -v'); fewer did the same work"});
     }
-    return kDone;
+    return exit_code;
 }
 
 /// What a file system said, without its function's name.

@@ -13,6 +13,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
+#include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
@@ -42,7 +43,7 @@ void print_text(const LogMap& log, const MapSummary& summary) {
               << map.states.height << " cells of " << io::rounded(map.resolution_m) << " m, "
               << io::rounded(summary.free_m2, 1) << " m² free, " << log.num_leaves << " leaves; "
               << io::rounded(summary.elapsed_ms, 0) << " ms\n"
-              << summary.folder << ": map.pgm, map.yaml\n";
+              << files_line(summary.folder, io::map_files());
 }
 
 void print_json(const LogMap& log, const MapSummary& summary) {
@@ -62,9 +63,7 @@ void print_json(const LogMap& log, const MapSummary& summary) {
 }
 
 void run(const Arguments& arguments) {
-    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
-    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
-    io::FileBatch output = begin_output(arguments, io::map_files(), std::move(inputs));
+    io::FileBatch output = begin_output(arguments, io::map_files());
     const std::optional<double> resolution_m = resolution_of(arguments);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });

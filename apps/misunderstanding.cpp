@@ -157,12 +157,7 @@ std::string without_commas(const CommandForm& form, const std::vector<std::strin
 void check_action(const CommandForm& form, const std::string& word) {
     const std::vector<std::string_view> known(form.actions.begin(), form.actions.end());
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
-    std::string expected;
-    for (const std::string_view action : known) {
-        if (action != known.front()) expected += action == known.back() ? " or " : ", ";
-        expected += action;
-    }
-    throw InputError(form.name + ": '" + word + "': expected " + expected +
+    throw InputError(form.name + ": '" + word + "': expected " + io::either_of(known) +
                      io::suggestion(word, known));
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <variant>
 
+#include "io/nearest_word.hpp"
 #include "io/option_text.hpp"
 
 namespace quadcut {
@@ -23,7 +24,7 @@ std::string number_text(double value) {
 }  // namespace
 
 std::string range_of(const OptionField& field) {
-    if (const auto* choice = std::get_if<Choice>(&field.value)) return io::words_of(*choice);
+    if (const auto* choice = std::get_if<Choice>(&field.value)) return io::either_of(choice->words);
     const bool is_count = std::holds_alternative<std::size_t*>(field.value);
     return (is_count ? "whole, " : "") + number_text(field.low) + " to " + number_text(field.high) +
            (field.unit.empty() ? "" : " " + std::string(field.unit));

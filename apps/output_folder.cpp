@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/output_folder.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <unistd.h>
 
@@ -17,6 +18,17 @@ namespace {
 
 constexpr std::string_view kOutputFlag = "--output";
 constexpr std::string_view kForceFlag = "--force";
+
+/// A project is read and written all the time: no result may take its place.
+constexpr std::array<std::string_view, 3> kInputFlags{"--poses", "--map", "--project"};
+
+std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
+    std::vector<std::filesystem::path> inputs(arguments.operands.begin(), arguments.operands.end());
+    for (const std::string_view flag : kInputFlags) {
+        if (const auto file = arguments.value(flag)) inputs.emplace_back(*file);
+    }
+    return inputs;
+}
 
 void check_writable(const std::filesystem::path& folder) {
     const std::string name = io::display_name(folder);
@@ -54,12 +66,11 @@ std::filesystem::path output_folder(const Arguments& arguments,
 }
 
 io::FileBatch begin_output(const Arguments& arguments, const std::vector<std::string>& files,
-                           std::vector<std::filesystem::path> inputs,
                            const std::filesystem::path& otherwise) {
     const std::filesystem::path folder = output_folder(arguments, otherwise);
     check_writable(folder);
     io::FileBatch batch(
-        folder, {std::move(inputs),
+        folder, {inputs_of(arguments),
                  arguments.has(kForceFlag) ? io::ForeignFiles::replace : io::ForeignFiles::refuse});
     batch.require_free(files);
     return batch;

@@ -23,12 +23,12 @@ namespace quadcut {
                                                   const std::filesystem::path& otherwise = {});
 
 /// What is going to be written into output_folder(). Nothing is made yet, but it is checked that
-/// all `files` can be, so that a mistake shows before the work is done. `inputs` are files that the
-/// run reads. Throws InputError when the folder or one above it is a file, when it cannot be
-/// written to, and as FileBatch::require_free().
+/// all `files` can be, so that a mistake shows before the work is done. None of them may be a file
+/// that the arguments name as one that is read, be it an operand or the value of a flag. Throws
+/// InputError when the folder or one above it is a file, when it cannot be written to, and as
+/// FileBatch::require_free().
 [[nodiscard]] io::FileBatch begin_output(const Arguments& arguments,
                                          const std::vector<std::string>& files,
-                                         std::vector<std::filesystem::path> inputs = {},
                                          const std::filesystem::path& otherwise = {});
 
 }  // namespace quadcut

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "apps/command.hpp"
+#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/summary.hpp"
 #include "io/json_writer.hpp"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::string_view kAllFlag = "--all";
 
 Segmentation rooms_of(const std::filesystem::path& where) {
-    if (std::filesystem::is_directory(where)) return io::read_stored_result(where).rooms;
+    if (room_place_of(where) == RoomPlace::folder) return io::read_stored_result(where).rooms;
     return store::Project(where, store::Access::read).follower().rooms();
 }
 

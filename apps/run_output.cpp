@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "io/no_rooms_in_map.hpp"
 #include "io/results.hpp"
 
 namespace quadcut {
@@ -28,6 +29,17 @@ std::vector<std::string> followed_files() {
     for (std::string& file : io::map_files()) files.push_back(std::move(file));
     files.emplace_back(kUpdates);
     return files;
+}
+
+Segmentation followed_rooms(const Follower& follower, const SegmentOptions& options,
+                            std::vector<std::string> warnings) {
+    Segmentation rooms = follower.rooms();
+    rooms.report.num_leaves = follower.map().num_leaves();
+    rooms.report.warnings = std::move(warnings);
+    if (rooms.rooms.empty()) {
+        rooms.report.warnings.push_back(io::why_no_rooms(follower.map().to_grid(), options));
+    }
+    return rooms;
 }
 
 void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,

@@ -8,6 +8,7 @@
 #include "io/file_batch.hpp"
 #include "io/report.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/follow.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segmentation.hpp"
 
@@ -19,6 +20,11 @@ namespace quadcut {
 
 /// The files that come of following a robot.
 [[nodiscard]] std::vector<std::string> followed_files();
+
+/// The rooms as they are now, with a report of them and of why there are none; `warnings` go
+/// before.
+[[nodiscard]] Segmentation followed_rooms(const Follower& follower, const SegmentOptions& options,
+                                          std::vector<std::string> warnings);
 
 /// Adds them: the map, its rooms, and the lines of updates.jsonl. Errors as io::add_results().
 void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,

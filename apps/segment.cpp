@@ -125,12 +125,6 @@ std::vector<std::string> files_of(io::FileKind kind) {
     return files;
 }
 
-std::vector<std::filesystem::path> inputs_of(const Arguments& arguments) {
-    std::vector<std::filesystem::path> inputs{arguments.operands[0]};
-    if (const auto poses = poses_of(arguments)) inputs.push_back(*poses);
-    return inputs;
-}
-
 /// The result whose ids and names are kept; read first, since the new one may take its place.
 std::optional<io::PreviousResult> read_previous(const Arguments& arguments, StageClock& clock) {
     const std::optional<std::string> folder = arguments.value(kPreviousFlag);
@@ -169,7 +163,7 @@ void run(const Arguments& arguments) {
     clock.begin("read");
     KnownInput known = read_map_or_log(arguments.operands[0]);
     const std::vector<std::string> files = files_of(known.kind);
-    io::FileBatch output = begin_output(arguments, files, inputs_of(arguments));
+    io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log

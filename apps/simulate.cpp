@@ -9,6 +9,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/simulated_robot.hpp"
+#include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
@@ -37,7 +38,7 @@ void run(const Arguments& arguments) {
     const SummaryStyle style = summary_style_of(arguments);
     if (style == SummaryStyle::text) {
         std::cout << num_rooms << " rooms, " << num_doors << " doors; " << num_scans << " scans\n"
-                  << folder << ": map.pgm map.yaml rooms.png truth.json robot.log true_poses.tum\n";
+                  << files_line(folder, sim::simulation_files());
     }
     if (style == SummaryStyle::json) {
         io::JsonWriter json;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/summary.hpp"
 
+#include <filesystem>
 #include <iostream>
 
 #include <unistd.h>
@@ -37,10 +38,11 @@ void print_text(const RunSummary& run) {
     if (is_for_people() && !rooms.rooms.empty()) {
         std::cout << "\n" << io::room_table(rooms, kTerminalTable) << "\n";
     }
-    std::cout << run.folder << ":";
-    for (const std::string& file : run.files) std::cout << " " << file;
-    std::cout << "\n";
-    if (is_for_people()) std::cout << "open " << run.folder << "/rooms.svg\n";
+    std::cout << files_line(run.folder, run.files);
+    if (is_for_people()) {
+        const std::filesystem::path folder = run.folder;
+        std::cout << "open " << (folder / "rooms.svg").string() << "\n";
+    }
 }
 
 void print_json(const RunSummary& run) {
@@ -63,6 +65,12 @@ void print_json(const RunSummary& run) {
 }  // namespace
 
 bool is_for_people() { return ::isatty(STDOUT_FILENO) == 1; }
+
+std::string files_line(const std::string& folder, const std::vector<std::string>& files) {
+    std::string line = folder + ":";
+    for (const std::string& file : files) line += " " + file;
+    return line + "\n";
+}
 
 void print_summary(const RunSummary& run, SummaryStyle style) {
     if (style == SummaryStyle::text) print_text(run);

@@ -29,6 +29,10 @@ struct RunSummary {
     std::vector<std::string> files;
 };
 
+/// "rooms: rooms.svg rooms.yaml": what was written, and where.
+[[nodiscard]] std::string files_line(const std::string& folder,
+                                     const std::vector<std::string>& files);
+
 /// Prints it, on a terminal with a table of the rooms.
 void print_summary(const RunSummary& run, SummaryStyle style);
 

@@ -33,6 +33,30 @@ Placed put_in_place(const std::filesystem::path& from, const std::filesystem::pa
     return placed;
 }
 
+/// By any of their names; also of a file that is yet to be made, as a project is.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    if (std::filesystem::equivalent(a, b, error)) return true;
+    if (std::filesystem::exists(a, error)) return false;
+    const auto place = [&error](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    };
+    return !b.empty() && place(a) == place(b) && !error;
+}
+
+/// What is there of the folders of a file that is not must be folders.
+void require_folder_of(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::path folder = path.parent_path();
+    while (!folder.empty() && folder != folder.parent_path() &&
+           !std::filesystem::exists(std::filesystem::symlink_status(folder, error))) {
+        folder = folder.parent_path();
+    }
+    if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+    throw InputError(display_name(folder) + ": is no folder: expected one for " +
+                     path.filename().string());
+}
+
 }  // namespace
 
 FileBatch::FileBatch(std::filesystem::path folder, Protected keep)
@@ -53,44 +77,24 @@ void FileBatch::require_free(std::span<const std::string> names) const {
 
 void FileBatch::require_free(const std::filesystem::path& path) const {
     std::error_code error;
+    for (const std::filesystem::path& input : keep_.inputs) {
+        if (!is_same_file(path, input)) continue;
+        throw InputError(display_name(path) +
+                         ": is read by this run, and would be written over by its results: choose "
+                         "another folder with -o");
+    }
     const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found) return require_place(path);
+    if (status.type() == std::filesystem::file_type::not_found) return require_folder_of(path);
     if (!std::filesystem::exists(status)) {
         throw InputError(display_name(path) + ": cannot be written: " + error.message());
     }
     if (std::filesystem::is_directory(path, error)) {
         throw InputError(display_name(path) + ": cannot be written: it is a folder");
     }
-    for (const std::filesystem::path& input : keep_.inputs) {
-        if (!std::filesystem::equivalent(path, input, error) || error) continue;
-        throw InputError(display_name(path) +
-                         ": is read by this run, and would be written over by its results: choose "
-                         "another folder with -o");
-    }
     if (keep_.foreign == ForeignFiles::replace || is_own_file(path)) return;
     throw InputError(display_name(path) +
                      ": is there, and not written by quadcut: choose another folder with -o, or "
                      "write over it with --force");
-}
-
-/// A file that is not there yet: nor may it be one that the run is going to make and read, and what
-/// is there of its folders must be folders.
-void FileBatch::require_place(const std::filesystem::path& path) const {
-    std::error_code error;
-    const std::filesystem::path place = std::filesystem::weakly_canonical(path, error);
-    for (const std::filesystem::path& input : keep_.inputs) {
-        if (error || place != std::filesystem::weakly_canonical(input, error)) continue;
-        throw InputError(display_name(path) +
-                         ": is a result of this run and something else, too: choose another name");
-    }
-    std::filesystem::path folder = path.parent_path();
-    while (!folder.empty() && folder != folder.parent_path() &&
-           !std::filesystem::exists(std::filesystem::symlink_status(folder, error))) {
-        folder = folder.parent_path();
-    }
-    if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
-    throw InputError(display_name(folder) + ": is no folder: expected one for " +
-                     path.filename().string());
 }
 
 void FileBatch::make_folder(const std::filesystem::path& folder) {

@@ -17,7 +17,7 @@ enum class ForeignFiles : std::uint8_t { refuse, replace };
 
 /// What a batch must not take the place of.
 struct Protected {
-    /// Files that the run reads, by any of their names; those that are not there play no part.
+    /// Files that the run reads, by any of their names, be they there or yet to be made.
     std::vector<std::filesystem::path> inputs;
     ForeignFiles foreign = ForeignFiles::refuse;
 };
@@ -62,7 +62,6 @@ private:
     };
 
     void require_free(const std::filesystem::path& path) const;
-    void require_place(const std::filesystem::path& path) const;
     void make_folder(const std::filesystem::path& folder);
 
     std::filesystem::path folder_;

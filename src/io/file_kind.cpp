@@ -38,7 +38,8 @@ constexpr std::string_view kSaveRtabmap =
     "'rtabmap-databaseViewer FILE' exports the grid map, or map_saver writes what RTAB-Map "
     "publishes";
 constexpr std::string_view kProject =
-    "'quadcut export', 'locate' and 'edit' take it, and 'follow --project' goes on with it";
+    "'quadcut rooms', 'export', 'locate' and 'edit' take it, and 'follow --project' goes on with "
+    "it";
 constexpr std::string_view kDatabase =
     "a ROS 2 bag is played to a mapper (ros2 bag play), whose map 'map_saver_cli -f map' writes";
 constexpr std::string_view kDraw =

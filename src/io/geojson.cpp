@@ -194,7 +194,8 @@ void write_hierarchy(const Segmentation& segmentation, FeatureWriter& features) 
 }  // namespace
 
 std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
-                       std::span<const RoomPair> pairs, std::span<const Rgb> colors) {
+                       std::span<const RoomPair> pairs, std::span<const Rgb> colors,
+                       std::span<const std::string> regions) {
     const std::vector<std::vector<RegionOutline>> parts =
         trace_regions(segmentation.labels, segmentation.rooms.size());
     const std::vector<std::set<RoomId>> neighbours = find_neighbours(segmentation, pairs);
@@ -211,6 +212,7 @@ std::string to_geojson(const GridMap& map, const Segmentation& segmentation,
         features.door(segmentation.doors[i], i + 1);
     }
     write_hierarchy(segmentation, features);
+    for (const std::string& region : regions) json.verbatim(region);
     return json.end_array().end_object().finish();
 }
 

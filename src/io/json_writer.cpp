@@ -122,6 +122,12 @@ JsonWriter& JsonWriter::null() {
     return *this;
 }
 
+JsonWriter& JsonWriter::verbatim(std::string_view json) {
+    before_value();
+    text_ += json;
+    return *this;
+}
+
 JsonWriter& JsonWriter::number(double value, int max_decimals) {
     before_value();
     append_rounded(text_, value, max_decimals);

@@ -31,6 +31,8 @@ public:
     JsonWriter& integer(std::uint64_t value);
     JsonWriter& boolean(bool value);
     JsonWriter& null();
+    /// A value that is JSON already, as it stands.
+    JsonWriter& verbatim(std::string_view json);
     /// As append_rounded.
     JsonWriter& number(double value, int max_decimals = kMillimetreDecimals);
     /// As append_exact, but null if not finite.

@@ -89,6 +89,11 @@ MapSource source_of_image(InputFile input, const MapReadOptions& options) {
     return source;
 }
 
+MapSource source_of(InputFile input, const MapReadOptions& options) {
+    const bool is_yaml = find_file_nature(input.bytes, input.name).kind == FileKind::map_yaml;
+    return is_yaml ? source_of_yaml(input, options) : source_of_image(std::move(input), options);
+}
+
 MapKeys with_options(MapKeys keys, const MapReadOptions& options, const std::string& name) {
     keys.resolution_m = options.resolution_m.value_or(keys.resolution_m);
     keys.free_thresh = options.free_thresh.value_or(keys.free_thresh);
@@ -175,12 +180,22 @@ MapFile read_map(const std::filesystem::path& path, const MapReadOptions& option
 MapFile parse_map(InputFile input, const MapReadOptions& options) {
     if (options.resolution_m) check_resolution(*options.resolution_m, "");
     const std::string name = input.name;
-    const bool is_yaml = find_file_nature(input.bytes, name).kind == FileKind::map_yaml;
-    MapSource source =
-        is_yaml ? source_of_yaml(input, options) : source_of_image(std::move(input), options);
+    MapSource source = source_of(std::move(input), options);
     source.file.keys = with_options(std::move(source.file.keys), options, name);
     MapFile file = with_states(std::move(source), options);
     for (std::string& warning : file.warnings) warning.insert(0, name + ": ");
+    return file;
+}
+
+MapFile parse_map_as_before(InputFile input, const MapKeys& keys) {
+    MapReadOptions options;
+    options.resolution_m = keys.resolution_m;
+    options.free_thresh = keys.free_thresh;
+    options.occupied_thresh = keys.occupied_thresh;
+    MapSource source = source_of(std::move(input), options);
+    source.file.keys = keys;
+    MapFile file = with_states(std::move(source), options);
+    file.warnings.clear();
     return file;
 }
 

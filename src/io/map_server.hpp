@@ -70,6 +70,11 @@ struct MapFile {
 /// The same of a file that was read already.
 [[nodiscard]] MapFile parse_map(InputFile input, const MapReadOptions& options = {});
 
+/// The map of an earlier run, whose keys it was read with are known: they replace those of a YAML,
+/// and the greys are asked only whether a transparent ground is floor. There are no warnings, which
+/// that run has given.
+[[nodiscard]] MapFile parse_map_as_before(InputFile input, const MapKeys& keys);
+
 /// A map, the greys it was made of, and what should be said of it, without the name of the file.
 struct ParsedMap {
     GridMap map;

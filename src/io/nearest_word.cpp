@@ -113,6 +113,15 @@ std::vector<std::string_view> nearest_words(std::string_view word,
     return nearest;
 }
 
+std::string either_of(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 < words.size() ? ", " : " or ";
+        text += words[i];
+    }
+    return text;
+}
+
 std::string did_you_mean(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {

@@ -20,6 +20,9 @@ namespace quadcut::io {
 [[nodiscard]] std::vector<std::string_view> nearest_words(
     std::string_view word, const std::vector<std::string_view>& known);
 
+/// "a, b or c"; empty for no words.
+[[nodiscard]] std::string either_of(const std::vector<std::string_view>& words);
+
 /// "did you mean 'a' or 'b'?"; empty for no words.
 [[nodiscard]] std::string did_you_mean(const std::vector<std::string>& words);
 

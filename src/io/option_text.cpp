@@ -85,7 +85,7 @@ std::size_t parse_count(const OptionField& field, std::string_view text) {
 void choose(const OptionField& field, const Choice& choice, std::string_view text) {
     const auto found = std::find(choice.words.begin(), choice.words.end(), text);
     if (found == choice.words.end()) {
-        reject(field, text, words_of(choice) + suggestion(text, choice.words));
+        reject(field, text, either_of(choice.words) + suggestion(text, choice.words));
     }
     *choice.value = static_cast<std::uint8_t>(found - choice.words.begin());
 }
@@ -108,15 +108,6 @@ void set_option(const std::vector<OptionField>& fields, std::string_view name,
     std::vector<std::string_view> known;
     for (const OptionField& field : fields) known.push_back(field.name);
     throw InputError("unknown option '" + std::string(name) + "'" + suggestion(name, known));
-}
-
-std::string words_of(const Choice& choice) {
-    std::string text;
-    for (std::size_t i = 0; i < choice.words.size(); ++i) {
-        if (i > 0) text += i + 1 < choice.words.size() ? ", " : " or ";
-        text += choice.words[i];
-    }
-    return text;
 }
 
 std::string option_text(const OptionField& field) {

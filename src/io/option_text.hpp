@@ -16,9 +16,6 @@ namespace quadcut::io {
 void set_option(const std::vector<OptionField>& fields, std::string_view name,
                 std::string_view text);
 
-/// What may be chosen: "rooms or paper".
-[[nodiscard]] std::string words_of(const Choice& choice);
-
 /// The value as text that set_option() reads back.
 [[nodiscard]] std::string option_text(const OptionField& field);
 

@@ -14,14 +14,6 @@
 namespace quadcut::io {
 namespace {
 
-/// Sixteen digits: JSON numbers are too coarse for 64 bits.
-std::string hash_text(std::uint64_t hash) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text = "fnv1a64:";
-    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15U];
-    return text;
-}
-
 void write_options(JsonWriter& json, const std::vector<OptionField>& options) {
     json.begin_object(JsonLayout::lines);
     for (const OptionField& option : options) {
@@ -44,6 +36,13 @@ void write_numbers(JsonWriter& json, const std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::string hash_text(std::uint64_t hash) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "fnv1a64:";
+    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15U];
+    return text;
+}
 
 std::string to_report_json(const GridMap& map, const Segmentation& segmentation,
                            const RunInfo& info,

@@ -32,9 +32,15 @@ struct RunInfo {
     /// When ids were taken from an earlier result: what became of its rooms, and their colours.
     std::optional<std::vector<RoomEvent>> events;
     std::map<RoomId, Rgb> previous_colors;
+    /// When an earlier result is written again: its regions of other granularities
+    /// (StoredResult::regions).
+    std::vector<std::string> regions;
     /// Threads that prepare the files; the bytes do not depend on it.
     int num_threads = 1;
 };
+
+/// A hash as report.json has it: JSON numbers are too coarse for 64 bits.
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
 
 /// report.json: what was read, with which options, what came out, and how long each stage took
 /// (`stages_ms`; all else is the same for the same input).

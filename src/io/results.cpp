@@ -162,7 +162,8 @@ void add_rooms(FileBatch& batch, const GridMap& map, const Segmentation& segment
     // them itself.
     const std::vector<Task> tasks = {
         {"rooms_color.png", draw},
-        {"rooms.geojson", [&] { return to_geojson(map, segmentation, near_rooms, colors); }},
+        {"rooms.geojson",
+         [&] { return to_geojson(map, segmentation, near_rooms, colors, info.regions); }},
         {"rooms.png", [&] { return encode_ids(segmentation, executor); }},
         {"rooms.yaml", [&] { return to_rooms_yaml(map, keys, segmentation, colors); }},
         {"graph.json", [&] { return to_graph_json(segmentation); }},

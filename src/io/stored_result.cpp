@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/stored_result.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -25,6 +26,27 @@ json parse(std::string_view bytes, const std::string& name) {
         throw InputError(name + ": is no JSON: expected a file of an earlier result, as it was");
     }
     return parsed;
+}
+
+/// Empty when there is no text.
+std::string text_at(const json& object, const char* key) {
+    const json value = object.value(key, json());
+    return value.is_string() ? value.get<std::string>() : "";
+}
+
+/// Each feature has a line of its own.
+std::vector<std::string> region_lines(std::string_view geojson) {
+    std::vector<std::string> regions;
+    while (!geojson.empty()) {
+        const std::size_t length = std::min(geojson.find('\n'), geojson.size());
+        std::string_view line = geojson.substr(0, length);
+        geojson.remove_prefix(std::min(length + 1, geojson.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        if (line.ends_with(',')) line.remove_suffix(1);
+        if (!line.starts_with(R"({"type": "Feature", "id": "region-)")) continue;
+        if (json::accept(line)) regions.emplace_back(line);
+    }
+    return regions;
 }
 
 /// What stands at a key of a feature, if it has the type.
@@ -100,12 +122,15 @@ StoredResult read_stored_result(const std::filesystem::path& folder) {
     result.map_keys = std::move(previous.legend.map_keys);
     result.colors = std::move(previous.legend.colors);
     const std::filesystem::path geojson = folder / "rooms.geojson";
-    result.rooms.doors = parse_doors(read_file(geojson), display_name(geojson), result.rooms.rooms);
+    const std::string features = read_file(geojson);
+    result.rooms.doors = parse_doors(features, display_name(geojson), result.rooms.rooms);
+    result.regions = region_lines(features);
     const std::filesystem::path report = folder / "report.json";
     std::error_code error;
     if (std::filesystem::exists(report, error)) {
-        const json input = parse(read_file(report), display_name(report)).value("input", json());
-        if (input.is_string()) result.input = input.get<std::string>();
+        const json told = parse(read_file(report), display_name(report));
+        result.input = text_at(told, "input");
+        result.input_hash = text_at(told, "input_hash");
     }
     return result;
 }

@@ -25,6 +25,10 @@ struct StoredResult {
     std::map<RoomId, Rgb> colors;
     /// The file that was cut, as its user named it; empty when that is not known.
     std::string input;
+    /// As report.json has it; empty when that is not known.
+    std::string input_hash;
+    /// The features of rooms.geojson that are regions of another granularity, as they stand there.
+    std::vector<std::string> regions;
 };
 
 /// Reads rooms.yaml, rooms.png, rooms.geojson and, if it is there, report.json. Throws InputError

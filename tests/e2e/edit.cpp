@@ -153,5 +153,17 @@ TEST(LocateCommand, OutsideOfRoomsItSaysTheNearest) {
     EXPECT_THAT(locate(empty, "0", "0").out, HasSubstr("there is none on the map"));
 }
 
+TEST(EditCommand, TellsTheRoomsAfterwardsAsJson) {
+    const Folder folder;
+    const Editor edit(two_rooms(folder));
+    const Json merged = Json::parse(edit({"merge", "1", "2", "--json"}).out);
+    EXPECT_EQ(merged.at("kind"), "merge");
+    EXPECT_EQ(merged.at("other"), 2);
+    ASSERT_EQ(merged.at("rooms").size(), 1U);
+    EXPECT_EQ(merged.at("rooms")[0].at("id"), 1);
+    EXPECT_TRUE(merged.at("doors").empty());
+    EXPECT_EQ(Json::parse(edit({"undo", "--json"}).out).at("rooms").size(), 2U);
+}
+
 }  // namespace
 }  // namespace quadcut::test

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/image.hpp"
 #include "tests/e2e/program.hpp"
 
 namespace quadcut::test {
@@ -64,6 +67,105 @@ TEST(Export, OfAFolderSaysWhenItsMapIsGone) {
         {"export", folder / "rooms", "-o", folder / "again", "--map", folder / "c.pgm"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_NE(other.err.find("2 x 1 cells"), std::string::npos) << other.err;
+}
+
+/// A room of 5 x 4 m: its walls are drawn, and all else is transparent.
+std::string walls_on_transparent_ground() {
+    constexpr std::int32_t kWidth = 120;
+    constexpr std::int32_t kHeight = 100;
+    const auto fill_row = [](std::int32_t y, std::span<std::uint16_t> samples) {
+        for (std::int32_t x = 0; x < kWidth; ++x) {
+            const bool is_within = x >= 8 && x < 112 && y >= 8 && y < 92;
+            const bool is_floor = x >= 10 && x < 110 && y >= 10 && y < 90;
+            samples[static_cast<std::size_t>(2 * x)] = 0;
+            samples[static_cast<std::size_t>(2 * x) + 1] = is_within && !is_floor ? 255 : 0;
+        }
+    };
+    return io::encode_png({kWidth, kHeight, 2, 255}, fill_row);
+}
+
+TEST(Export, ReadsTheMapAsItWasReadWhenItWasCut) {
+    const Folder folder;
+    const std::string drawn = folder.write("drawn.png", walls_on_transparent_ground());
+    const std::string image = folder.write("office.pgm", office_pgm());
+    const std::vector<std::vector<std::string>> runs{
+        {drawn}, {image, "--free-thresh", "0.3", "--occupied-thresh", "0.3"}, {image, "--negate"}};
+    for (const std::vector<std::string>& run : runs) {
+        std::vector<std::string> segment{"segment", "-o", folder / "rooms"};
+        segment.insert(segment.end(), run.begin(), run.end());
+        expect_done(segment);
+        const Outcome outcome = expect_done({"export", folder / "rooms", "-o", folder / "again"});
+        EXPECT_EQ(outcome.err, "");
+        const std::string picture = read_bytes(folder / "rooms/rooms.svg");
+        EXPECT_EQ(picture.substr(0, picture.find("<text")),
+                  read_bytes(folder / "again/rooms.svg").substr(0, picture.find("<text")))
+            << run.back();
+    }
+}
+
+TEST(Export, WarnsWhenTheMapHasChanged) {
+    const Folder folder;
+    const std::string map = folder.write("a.pgm", office_pgm());
+    expect_done({"segment", map, "-o", folder / "rooms"});
+    // An older map of a log in the folder is not what was cut.
+    folder.write("rooms/map.pgm", "P5\n2 1\n255\n\xFE\xFE");
+    folder.write("rooms/map.yaml", yaml_for("map.pgm"));
+    EXPECT_EQ(expect_done({"export", folder / "rooms", "-o", folder / "again"}).err, "");
+    std::string bytes = office_pgm();
+    bytes.back() = '\x01';
+    folder.write("a.pgm", bytes);
+    const Outcome changed = expect_done({"export", folder / "rooms", "-o", folder / "again"});
+    EXPECT_NE(changed.err.find(map + ": has changed since"), std::string::npos) << changed.err;
+}
+
+TEST(Export, TakesTheMapOfALogAlong) {
+    const Folder folder;
+    expect_done({"simulate", "-o", folder / "sim", "--rooms", "4"});
+    expect_done({"segment", folder / "sim/robot.log", "-o", folder / "rooms", "--hierarchy"});
+    expect_done({"export", folder / "rooms", "-o", folder / "again"});
+    expect_done({"export", folder / "again", "-o", folder / "again"});
+    const auto before = files_below(folder / "rooms");
+    auto after = files_below(folder / "again");
+    EXPECT_EQ(before.size(), after.size());
+    EXPECT_NE(before.at("rooms.geojson").find("region-"), std::string::npos);
+    for (const std::string name : {"map.pgm", "map.yaml", "rooms.geojson", "report.json"}) {
+        EXPECT_EQ(before.at(name), after[name]) << name;
+    }
+}
+
+TEST(Export, SaysThatAMapCameThroughStandardInput) {
+    const Folder folder;
+    const std::string map = folder.write("a.pgm", office_pgm());
+    const std::string line = "exec '" QUADCUT_BINARY "' segment - -o \"$0\" < \"$1\"";
+    ASSERT_EQ(run_process("/bin/sh", {"-c", line, folder / "rooms", map}).exit_code, 0);
+    const Outcome outcome = run_quadcut({"export", folder / "rooms", "-o", folder / "again"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("its map came through standard input: say where it is with --map"),
+              std::string::npos)
+        << outcome.err;
+    expect_done({"export", folder / "rooms", "-o", folder / "again", "--map", map});
+}
+
+TEST(Export, SaysWhatIsThereInsteadOfAResult) {
+    const Folder folder;
+    expect_done({"segment", folder.write("a.pgm", office_pgm()), "-o", folder / "rooms"});
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"rooms"}, {"locate", "1", "1"}, {"export"}}) {
+        const auto refusal_of = [&](const std::string& place) {
+            std::vector<std::string> command = words;
+            command.insert(command.begin() + 1, place);
+            if (words[0] == "export") command.insert(command.end(), {"-o", folder / "again"});
+            const Outcome outcome = run_quadcut(command);
+            EXPECT_EQ(outcome.exit_code, 2);
+            return outcome.err;
+        };
+        EXPECT_NE(refusal_of(folder / "none").find("of results or a project, found nothing"),
+                  std::string::npos);
+        EXPECT_NE(refusal_of(folder / "rooms/rooms.yaml")
+                      .find("did you mean '" + (folder / "rooms") + "'"),
+                  std::string::npos)
+            << words[0];
+    }
 }
 
 TEST(Export, OfAProjectNeedsNoLog) {

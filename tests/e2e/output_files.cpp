@@ -53,6 +53,19 @@ TEST(OutputFiles, AreNeverTheInput) {
                 poses, "is read");
 }
 
+TEST(OutputFiles, AreNoProjectThatIsYetToBeMade) {
+    const Folder folder;
+    const std::string log = simulated_log(folder);
+    const std::string project = folder / "new/rooms.yaml";
+    expect_kept(folder, {"follow", log, "-o", folder / "new", "--project", project}, project,
+                "is read by this run");
+    expect_kept(
+        folder,
+        {"follow", log, "-o", folder / "D", "--project", folder / "D/../D/rooms.png", "--force"},
+        folder / "D/rooms.png", "is read by this run");
+    expect_done({"follow", log, "-o", folder / "new", "--project", folder / "new/home.quadcut"});
+}
+
 TEST(OutputFiles, AreNotTheFilesOfOthers) {
     const Folder folder;
     const std::string log = simulated_log(folder);
@@ -73,10 +86,10 @@ TEST(OutputFiles, AreNotTheProjectNorInTheWayOfAFolder) {
     std::filesystem::create_directories(folder / "out");
     const std::string project = folder / "out/rooms.yaml";
     expect_kept(folder, {"follow", log, "-o", folder / "out", "--project", project}, project,
-                "something else");
+                "is read by this run");
     expect_kept(folder,
                 {"follow", log, "-o", folder / "new", "--project", folder / "new/../new/map.yaml"},
-                folder / "new/map.yaml", "something else");
+                folder / "new/map.yaml", "is read by this run");
     const std::string file = folder.write("demo/simulation", "mine");
     expect_kept(folder, {"demo", "-o", folder / "demo"}, file, "is no folder");
 }

@@ -70,5 +70,12 @@ TEST(NearestWord, AsText) {
     EXPECT_EQ(did_you_mean({}), "");
 }
 
+TEST(EitherOf, ListsWords) {
+    EXPECT_EQ(either_of({}), "");
+    EXPECT_EQ(either_of({"a"}), "a");
+    EXPECT_EQ(either_of({"a", "b"}), "a or b");
+    EXPECT_EQ(either_of({"a", "b", "c"}), "a, b or c");
+}
+
 }  // namespace
 }  // namespace quadcut::io
