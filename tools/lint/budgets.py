@@ -8,7 +8,7 @@ from source import Tree
 
 # The door model's trees are data that tools/train/door_model.py writes, not code.
 CORE_DATA = "src/quadcut/segment/door_trees.cpp"
-MAX_CORE_LINES = 10850
+MAX_CORE_LINES = 11520
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
 
