@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/descriptor.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut::io {
@@ -18,27 +19,6 @@ namespace {
 
 constexpr std::size_t kReadBytes = std::size_t{1} << 18U;
 constexpr int kMaxTemporaryNames = 100;
-
-class Descriptor {
-public:
-    explicit Descriptor(int value) : value_(value) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-
-    [[nodiscard]] int value() const { return value_; }
-    /// Whether everything that was written has reached the file.
-    [[nodiscard]] bool close() {
-        const int descriptor = value_;
-        value_ = -1;
-        return ::close(descriptor) == 0;
-    }
-
-private:
-    int value_;
-};
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what, int error_number) {
     throw InputError(display_name(path) + ": " + what + ": " + std::strerror(error_number));

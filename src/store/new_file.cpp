@@ -13,6 +13,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "io/descriptor.hpp"
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -22,19 +23,7 @@ namespace {
 constexpr int kPatienceMs = 2000;
 constexpr mode_t kReadWriteForAll = 0666;  // The process's umask takes the rest away.
 
-class Descriptor {
-public:
-    explicit Descriptor(int value) : value_(value) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-    [[nodiscard]] int value() const { return value_; }
-
-private:
-    int value_;
-};
+using io::Descriptor;
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error_number) {
     throw InputError(io::display_name(path) +

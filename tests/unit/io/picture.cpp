@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/io/parsed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
@@ -18,22 +19,9 @@ using namespace std::string_literals;
 using test::error_of;
 using Samples = std::vector<std::uint16_t>;
 
-struct Parsed {
-    ImageHeader header;
-    Samples samples;
-    std::vector<std::string> warnings;
-};
+using test::Parsed;
 
-Parsed parse(const std::string& bytes) {
-    Parsed parsed;
-    const ParsedImage image =
-        parse_image(bytes, "x.img", [&](const ImageHeader&, std::int32_t, auto row) {
-            parsed.samples.insert(parsed.samples.end(), row.begin(), row.end());
-        });
-    parsed.header = image.header;
-    parsed.warnings = image.warnings;
-    return parsed;
-}
+Parsed parse(const std::string& bytes) { return test::parse(bytes, "x.img"); }
 
 std::string little(std::uint32_t value, int num_bytes) {
     std::string bytes;

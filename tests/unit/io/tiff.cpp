@@ -10,6 +10,7 @@
 #include <tiffio.h>
 
 #include "io/file.hpp"
+#include "tests/unit/io/parsed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
@@ -71,22 +72,9 @@ std::string make_tiff(const Form& form, const std::vector<std::string>& blocks) 
     return read_file(path);
 }
 
-struct Parsed {
-    ImageHeader header;
-    Samples samples;
-    std::vector<std::string> warnings;
-};
+using test::Parsed;
 
-Parsed parse(const std::string& bytes) {
-    Parsed parsed;
-    const ParsedImage image =
-        parse_image(bytes, "x.tif", [&](const ImageHeader&, std::int32_t, auto row) {
-            parsed.samples.insert(parsed.samples.end(), row.begin(), row.end());
-        });
-    parsed.header = image.header;
-    parsed.warnings = image.warnings;
-    return parsed;
-}
+Parsed parse(const std::string& bytes) { return test::parse(bytes, "x.tif"); }
 
 TEST(Tiff, ReadsGreysOfAnyDepth) {
     const Parsed bytes = parse(make_tiff({3, 2}, {std::string("\0\xCD\xFE", 3), "abc"}));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <unistd.h>
+
+namespace quadcut::io {
+
+/// An open file or folder, closed at the end; negative: none.
+class Descriptor {
+public:
+    explicit Descriptor(int value) : value_(value) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+
+    [[nodiscard]] int value() const { return value_; }
+    /// Whether everything that was written has reached the file.
+    [[nodiscard]] bool close() {
+        const int descriptor = value_;
+        value_ = -1;
+        return ::close(descriptor) == 0;
+    }
+
+private:
+    int value_;
+};
+
+}  // namespace quadcut::io
