@@ -107,8 +107,10 @@ double share_on_rooms(const Raster<std::uint16_t>& ground, const PageScale& scal
     constexpr int kSamples = 5;
     int num_on_rooms = 0;
     for (int i = 0; i < kSamples * kSamples; ++i) {
-        const double u = (i % kSamples + 0.5) / kSamples;
-        const double v = (i / kSamples + 0.5) / kSamples;
+        const int column = i % kSamples;
+        const int row = i / kSamples;
+        const double u = (column + 0.5) / kSamples;
+        const double v = (row + 0.5) / kSamples;
         const Point at{box.low.x + u * (box.high.x - box.low.x),
                        box.low.y + v * (box.high.y - box.low.y)};
         const Cell cell{

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <unistd.h>
-
 namespace quadcut::io {
 
 /// An open file or folder, closed at the end; negative: none.
@@ -12,17 +10,11 @@ public:
     explicit Descriptor(int value) : value_(value) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
+    ~Descriptor();
 
     [[nodiscard]] int value() const { return value_; }
     /// Whether everything that was written has reached the file.
-    [[nodiscard]] bool close() {
-        const int descriptor = value_;
-        value_ = -1;
-        return ::close(descriptor) == 0;
-    }
+    [[nodiscard]] bool close();
 
 private:
     int value_;

@@ -66,8 +66,8 @@ FileBatch::~FileBatch() {
     std::error_code ignored;
     for (const Entry& entry : entries_) std::filesystem::remove(entry.temporary, ignored);
     // Only those that are empty go.
-    for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
-        std::filesystem::remove(*folder, ignored);
+    for (; !new_folders_.empty(); new_folders_.pop_back()) {
+        std::filesystem::remove(new_folders_.back(), ignored);
     }
 }
 

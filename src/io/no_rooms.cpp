@@ -56,7 +56,7 @@ std::string why_nothing_is_free(const GreyTally& tally, const MapKeys& keys,
     if (tally.count() == 0) return nothing + "none is opaque";
     if (counts.num_unknown == 0) return nothing + "all are occupied";
     const int freest = freest_grey(tally, keys);
-    const std::string what =
+    std::string what =
         nothing + percent(counts.num_unknown, counts) + " are unknown, the others occupied";
     if (keys.mode == MapMode::raw || freest == 0) return what;
     const double occupancy = static_cast<double>(keys.negate ? freest : kWhite - freest) / kWhite;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "store/project.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -234,13 +235,15 @@ void Project::add(const EditRecord& record, const Edited& edited) {
 
 EditRecord Project::undo(Follower& follower) {
     const std::vector<EditRecord> all = edits();
-    for (auto record = all.rbegin(); record != all.rend(); ++record) {
-        if (record->state == EditState::done) return turn(follower, *record, EditState::undone);
-        if (record->state != EditState::fixed) continue;
-        throw InputError("edit " + std::to_string(record->number) +
+    const auto last = std::find_if(all.rbegin(), all.rend(), [](const EditRecord& record) {
+        return record.state == EditState::done || record.state == EditState::fixed;
+    });
+    if (last == all.rend()) throw InputError("there is nothing to undo");
+    if (last->state == EditState::fixed) {
+        throw InputError("edit " + std::to_string(last->number) +
                          " was made by a version of quadcut that did not keep how to undo it");
     }
-    throw InputError("there is nothing to undo");
+    return turn(follower, *last, EditState::undone);
 }
 
 EditRecord Project::redo(Follower& follower) {

@@ -8,8 +8,8 @@
 
 #include <zlib.h>
 
-#include "io/image.hpp"
 #include "io/grey_evidence.hpp"
+#include "io/image.hpp"
 #include "io/map_server.hpp"
 #include "io/map_yaml.hpp"
 #include "io/no_rooms.hpp"

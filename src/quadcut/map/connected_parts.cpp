@@ -45,7 +45,8 @@ std::uint32_t ConnectedParts::part_at(std::uint32_t column, std::size_t row) con
     return found != end && found->begin <= column ? found->part : 0;
 }
 
-ConnectedParts join_runs(ConnectedParts parts, Connectivity connectivity) {
+ConnectedParts join_runs(ConnectedParts keyed, Connectivity connectivity) {
+    ConnectedParts parts = std::move(keyed);
     const std::uint32_t corner = connectivity == Connectivity::eight ? 1 : 0;
     LabelSets sets;
     // Of the runs of this row and of the one below.

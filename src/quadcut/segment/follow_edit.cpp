@@ -174,7 +174,8 @@ void Follower::join(const Edit& edit, Edited& done) {
                          " do not touch: a room is connected");
     }
     done.inverse.border = Edit::Border::part;
-    done.inverse.settings[from] = ended;
+    const RoomSettings& settings = ended;
+    done.inverse.settings[from] = settings;
     done.inverse.lines = take_split_lines(edit);
     for_each_cell_of(from, cells_, ended.box, [&](Cell cell) { cells_.set_room(cell, into); });
     whole.num_cells += ended.num_cells;

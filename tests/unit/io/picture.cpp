@@ -25,7 +25,7 @@ Parsed parse(const std::string& bytes) { return test::parse(bytes, "x.img"); }
 
 std::string little(std::uint32_t value, int num_bytes) {
     std::string bytes;
-    for (int i = 0; i < num_bytes; ++i) bytes += static_cast<char>(value >> (8 * i));
+    for (int i = 0; i < num_bytes; ++i) bytes += static_cast<char>(i < 4 ? value >> (8 * i) : 0);
     return bytes;
 }
 

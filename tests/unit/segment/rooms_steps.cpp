@@ -151,7 +151,7 @@ struct TwoRoomsInPieces : TwoRooms {
 
 TEST(Fuse, KeepsTheCutInTheDoorwayAndNoOther) {
     TwoRoomsInPieces rooms;
-    Fuser(rooms.regions, {4.0}).fuse_below(0.0);
+    Fuser(rooms.regions, 4.0).fuse_below(0.0);
     fuse_small_regions(rooms.regions, 1.5, 0.4);
     ASSERT_EQ(rooms.num_regions(), 2U);
     Raster<std::uint32_t> labels = rooms.basins.labels;
@@ -168,17 +168,17 @@ TEST(Fuse, KeepsTheCutInTheDoorwayAndNoOther) {
 
 TEST(Fuse, OpeningsBeyondTheDoorWidthSeparateNothing) {
     TwoRoomsInPieces rooms;
-    Fuser(rooms.regions, {0.6}).fuse_below(0.0);
+    Fuser(rooms.regions, 0.6).fuse_below(0.0);
     EXPECT_EQ(rooms.num_regions(), 1U);
 }
 
 TEST(Fuse, SmallAndNarrowRegionsJoinANeighbour) {
     TwoRoomsInPieces small;
-    Fuser(small.regions, {4.0}).fuse_below(0.0);
+    Fuser(small.regions, 4.0).fuse_below(0.0);
     fuse_small_regions(small.regions, 20.0, 0.0);
     EXPECT_EQ(small.num_regions(), 1U);
     TwoRoomsInPieces narrow;
-    Fuser(narrow.regions, {4.0}).fuse_below(0.0);
+    Fuser(narrow.regions, 4.0).fuse_below(0.0);
     fuse_small_regions(narrow.regions, 0.0, 10.0);
     EXPECT_EQ(narrow.num_regions(), 1U);
 }
@@ -187,7 +187,7 @@ TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
     std::uint32_t previous = 0;
     for (const double granularity : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         TwoRoomsInPieces rooms;
-        Fuser(rooms.regions, {4.0}).fuse_below(fuse_threshold(granularity));
+        Fuser(rooms.regions, 4.0).fuse_below(fuse_threshold(granularity));
         EXPECT_GE(rooms.num_regions(), previous);
         previous = rooms.num_regions();
     }
@@ -196,9 +196,9 @@ TEST(Fuse, FinerGranularityOnlyEverDividesRooms) {
 
 TEST(Fuse, ToStopHalfwayChangesNothing) {
     TwoRoomsInPieces at_once;
-    Fuser(at_once.regions, {4.0}).fuse_below(3.0);
+    Fuser(at_once.regions, 4.0).fuse_below(3.0);
     TwoRoomsInPieces in_steps;
-    Fuser fuser(in_steps.regions, {4.0});
+    Fuser fuser(in_steps.regions, 4.0);
     for (const double log_odds : {-6.0, -3.0, 0.0, 3.0}) fuser.fuse_below(log_odds);
     for (std::uint32_t piece = 1; piece <= at_once.regions.num_pieces(); ++piece) {
         EXPECT_EQ(in_steps.regions.region_of(piece), at_once.regions.region_of(piece));
@@ -220,7 +220,7 @@ TEST(RegionGraph, WhatIsMeasuredAheadIsTheSame) {
 TEST(RegionGraph, WhatAJoinDoesNotComeNearToIsTheSameAsMeasuredAnew) {
     TwoRoomsInPieces kept;
     TwoRoomsInPieces anew;
-    Fuser(kept.regions, {4.0}).fuse_below(0.0);
+    Fuser(kept.regions, 4.0).fuse_below(0.0);
     for (std::uint32_t piece = 1; piece <= anew.regions.num_pieces(); ++piece) {
         const std::uint32_t region = kept.regions.region_of(piece);
         if (region != piece) anew.regions.join(region, piece);

@@ -180,9 +180,10 @@ TEST(Project, OptionsThatAreNoneAnyMoreAreReadOver) {
           std::array{"rooms.pieces", "unsnapped", "expected basins or spectral"},
           std::array{"rooms.other", "1", "unknown option 'rooms.other'"}}) {
         const std::string row = std::string("VALUES('") + name + "', '" + value + "')";
-        std::filesystem::copy_file(path, folder.path() / name);
-        Database(folder.path() / name, Access::write).run("REPLACE INTO options " + row);
-        EXPECT_THAT(error_of([&] { Project(folder.path() / name, Access::read); }),
+        const std::filesystem::path file = folder.path() / name;
+        std::filesystem::copy_file(path, file);
+        Database(file, Access::write).run("REPLACE INTO options " + row);
+        EXPECT_THAT(error_of([&file] { Project(file, Access::read); }),
                     testing::AllOf(HasSubstr(name), HasSubstr(words)));
     }
 }
