@@ -172,7 +172,9 @@ std::string default_name(RoomKind kind, RoomId id) {
 
 RoomId room_with_default_name(std::string_view name) {
     std::uint32_t id = 0;
-    std::from_chars(name.data() + name.rfind(' ') + 1, name.data() + name.size(), id);
+    // From the first character on where there is no space.
+    const std::size_t begin = name.rfind(' ') + 1;
+    std::from_chars(name.data() + begin, name.data() + name.size(), id);
     for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
         if (default_name(kind, RoomId{id}) == name) return RoomId{id};
     }
