@@ -18,16 +18,16 @@ constexpr std::size_t kNumBytesLookedAt = 4096;
 constexpr std::array<std::string_view, 5> kMarks{
     kAuthorComment, kAuthorChunk, "\nformat_version:", "\"format_version\":", "\"integrate_ms\":"};
 
-bool is_project(std::string_view first_bytes) {
+}  // namespace
+
+bool begins_project(std::string_view first_bytes) {
     constexpr std::size_t kApplicationId = 68;
     return first_bytes.starts_with("SQLite format 3") &&
            first_bytes.substr(std::min(kApplicationId, first_bytes.size())).starts_with("QCUT");
 }
 
-}  // namespace
-
 bool is_own_work(std::string_view first_bytes) {
-    if (is_project(first_bytes)) return true;
+    if (begins_project(first_bytes)) return true;
     const std::string_view head = first_bytes.substr(0, kNumBytesLookedAt);
     return std::any_of(kMarks.begin(), kMarks.end(), [head](std::string_view mark) {
         return head.find(mark) != std::string_view::npos;

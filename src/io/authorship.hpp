@@ -12,6 +12,9 @@ inline constexpr std::string_view kAuthorComment = "Written by quadcut";
 /// The text chunk of its PNGs: keyword and text, parted by a zero byte.
 inline constexpr std::string_view kAuthorChunk{"Software\0quadcut", 16};
 
+/// Whether a file that begins so is a project: an SQLite file with its application id.
+[[nodiscard]] bool begins_project(std::string_view first_bytes);
+
 /// Whether the first bytes of a file say that quadcut has written it: by one of the above, or by
 /// the `format_version` of its YAML and JSON files, or by the application id of a project.
 [[nodiscard]] bool is_own_work(std::string_view first_bytes);

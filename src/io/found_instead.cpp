@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "io/authorship.hpp"
 #include "io/nearest_word.hpp"
 
 namespace quadcut::io {
@@ -62,13 +63,13 @@ bool has_result(const std::filesystem::path& folder) {
 }
 
 bool is_project(const std::filesystem::path& path) {
-    constexpr std::string_view kDatabase = "SQLite format 3";
+    constexpr std::size_t kHeaderBytes = 100;
     std::error_code error;
     // A pipe would be waited for.
     if (!std::filesystem::is_regular_file(path, error)) return false;
-    std::string start(kDatabase.size(), '\0');
+    std::string start(kHeaderBytes, '\0');
     std::ifstream(path, std::ios::binary).read(start.data(), std::ssize(start));
-    return start == kDatabase;
+    return begins_project(start);
 }
 
 std::string found_instead_of_result(const std::filesystem::path& path) {

@@ -17,7 +17,9 @@ TEST(FoundInstead, NothingOrAFile) {
     const ScratchFolder folder;
     EXPECT_EQ(found_instead_of_result(folder.path() / "none"), "no such folder");
     EXPECT_EQ(found_instead_of_result(folder.write("map.yaml", "image: map.pgm\n")), "a file");
-    EXPECT_EQ(found_instead_of_result(folder.write("home.quadcut", "SQLite format 3 and more")),
+    const std::string database = "SQLite format 3" + std::string(53, '\0');
+    EXPECT_EQ(found_instead_of_result(folder.write("bag.db3", database + "abcd")), "a file");
+    EXPECT_EQ(found_instead_of_result(folder.write("home.quadcut", database + "QCUT")),
               "a project of quadcut");
     EXPECT_EQ(found_instead_of_result("/dev/zero"), "something that is no folder");
 }
