@@ -15,15 +15,15 @@
 #include "apps/run_output.hpp"
 #include "apps/simulated_robot.hpp"
 #include "apps/summary.hpp"
-#include "apps/truth_score.hpp"
 #include "apps/uninterrupted.hpp"
+#include "draw/filmstrip.hpp"
+#include "eval/truth_score.hpp"
+#include "formats/results.hpp"
 #include "io/file.hpp"
-#include "io/filmstrip.hpp"
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"
-#include "io/results.hpp"
 #include "quadcut/base/stage_clock.hpp"
-#include "quadcut/segment/follow.hpp"
+#include "quadcut/follow/follower.hpp"
 #include "sim/write.hpp"
 
 namespace quadcut {
@@ -68,14 +68,14 @@ struct Followed {
     /// The file of the project.
     std::string project;
     /// At equal distances in time.
-    std::vector<io::Moment> moments;
+    std::vector<draw::Moment> moments;
 };
 
-io::Moment moment_of(const FollowSession& session, const std::vector<Point>& way) {
+draw::Moment moment_of(const FollowSession& session, const std::vector<Point>& way) {
     const std::size_t num_rooms = session.follower().num_rooms();
-    io::Moment moment{"scan " + std::to_string(session.num_done()) + ", " +
-                          std::to_string(num_rooms) + (num_rooms == 1 ? " room" : " rooms"),
-                      session.follower().map().to_grid(), session.follower().rooms(), way};
+    draw::Moment moment{"scan " + std::to_string(session.num_done()) + ", " +
+                            std::to_string(num_rooms) + (num_rooms == 1 ? " room" : " rooms"),
+                        session.follower().map().to_grid(), session.follower().rooms(), way};
     moment.way.resize(session.num_done());
     return moment;
 }
@@ -115,26 +115,26 @@ std::vector<std::string> files_of_demo() {
     return files;
 }
 
-std::string score_text(const io::RoomScore& score) {
-    std::string text = io::to_json(score) + "\n";
+std::string score_text(const eval::RoomScore& score) {
+    std::string text = eval::to_json(score) + "\n";
     return text.insert(text.find('\n') + 1,
                        " \"format_version\": " + std::to_string(io::kFormatVersion) + ",\n");
 }
 
 void write(io::FileBatch& output, const Simulation& simulation, const Followed& followed,
-           const io::RoomScore& score, const io::RunInfo& info) {
+           const eval::RoomScore& score, const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
     sim::add_simulation(output, simulation.building, simulation.options, simulation.exploration,
                         kTruthFolder);
     add_followed(output, followed.robot.map, followed.rooms, followed.updates, info);
-    output.add(kFilmstrip, io::render_filmstrip(followed.moments));
+    output.add(kFilmstrip, draw::render_filmstrip(followed.moments));
     output.add(kScore, score_text(score));
     output.add(kProject, followed.project);
     output.commit();
 }
 
 void print_story(const std::string& folder, const Simulation& simulation, const RobotMap& robot,
-                 const Segmentation& rooms, const io::RoomScore& score, double elapsed_s) {
+                 const Segmentation& rooms, const eval::RoomScore& score, double elapsed_s) {
     const sim::Building& building = simulation.building;
     const Raster<CellState>& cells = robot.map.states;
     std::cout << "Simulated a furnished building of " << building.rooms.size() << " rooms and "
@@ -169,7 +169,7 @@ void run(const Arguments& arguments) {
     const RobotMap& robot = followed.robot;
     Segmentation& rooms = followed.rooms;
     clock.begin("score");
-    const io::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
+    const eval::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     SegmentOptions segment_options = options.segment;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/arguments.hpp"
-#include "backends/accelerators.hpp"
+#include "opencl/accelerators.hpp"
 #include "quadcut/base/option_field.hpp"
 #include "quadcut/segment/options.hpp"
 

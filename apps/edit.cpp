@@ -21,8 +21,8 @@
 #include "io/number_text.hpp"
 #include "io/room_list.hpp"
 #include "io/room_name.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
-#include "store/project.hpp"
 
 namespace quadcut {
 namespace {

@@ -18,12 +18,13 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
+#include "formats/results.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
-#include "io/results.hpp"
+#include "io/map_writer.hpp"
 #include "io/stored_result.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
-#include "store/project.hpp"
 
 namespace quadcut {
 namespace {
@@ -58,11 +59,11 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
 
 /// The report stays as it is: nothing is cut again. The map of a log goes along.
 Exported export_folder(const Arguments& arguments, const std::filesystem::path& folder) {
-    io::FileBatch output = begin_output(arguments, io::result_files());
+    io::FileBatch output = begin_output(arguments, formats::result_files());
     io::StoredResult result = io::read_stored_result(folder);
     const io::MapFile map = map_of_result(folder, result, arguments.value(kMapFlag));
     print_warnings(map.warnings);
-    Exported exported{std::move(result.rooms), io::result_files()};
+    Exported exported{std::move(result.rooms), formats::result_files()};
     std::vector<std::string> carried{kReport};
     std::error_code error;
     const bool is_there = std::filesystem::equivalent(folder, output_folder(arguments), error);
@@ -79,7 +80,7 @@ Exported export_folder(const Arguments& arguments, const std::filesystem::path& 
     info.previous_colors = std::move(result.colors);
     info.regions = std::move(result.regions);
     const Uninterrupted uninterrupted;
-    io::add_rooms(output, map.map, exported.rooms, info);
+    formats::add_rooms(output, map.map, exported.rooms, info);
     for (const std::string& file : carried) {
         if (std::filesystem::exists(folder / file, error)) {
             output.add(file, io::read_file(folder / file));

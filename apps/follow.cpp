@@ -22,10 +22,10 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
+#include "formats/results.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/no_rooms_in_map.hpp"
-#include "io/results.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/options.hpp"
 

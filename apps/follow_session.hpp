@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "project/project.hpp"
+#include "quadcut/follow/follower.hpp"
 #include "quadcut/map/scan.hpp"
-#include "quadcut/segment/follow.hpp"
-#include "store/project.hpp"
 
 namespace quadcut {
 

@@ -19,12 +19,12 @@
 #include "io/nearest_word.hpp"
 #include "io/number_text.hpp"
 #include "io/previous_result.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/line_walk.hpp"
-#include "quadcut/segment/describe.hpp"
-#include "quadcut/segment/segmentation.hpp"
-#include "store/project.hpp"
+#include "quadcut/rooms/describe.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 namespace {

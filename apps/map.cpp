@@ -15,10 +15,11 @@
 #include "apps/run_flags.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
+#include "formats/results.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
+#include "io/map_writer.hpp"
 #include "io/number_text.hpp"
-#include "io/results.hpp"
 #include "quadcut/base/stage_clock.hpp"
 
 namespace quadcut {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/reproduce/reproduce.hpp"
+#include "reproduce/reproduce.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -13,8 +13,8 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/uninterrupted.hpp"
-#include "bench/reproduce/sentence.hpp"
 #include "io/file.hpp"
+#include "reproduce/sentence.hpp"
 
 namespace quadcut {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/segment/describe.hpp"
+#include "quadcut/rooms/describe.hpp"
 
 namespace quadcut {
 namespace {

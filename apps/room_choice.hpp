@@ -5,7 +5,7 @@
 #include <string>
 
 #include "quadcut/base/ids.hpp"
-#include "quadcut/segment/follow.hpp"
+#include "quadcut/follow/follower.hpp"
 
 namespace quadcut {
 

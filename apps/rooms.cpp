@@ -10,7 +10,7 @@
 #include "io/json_writer.hpp"
 #include "io/room_list.hpp"
 #include "io/stored_result.hpp"
-#include "store/project.hpp"
+#include "project/project.hpp"
 
 namespace quadcut {
 namespace {

@@ -4,8 +4,9 @@
 
 #include <utility>
 
+#include "formats/results.hpp"
+#include "io/map_writer.hpp"
 #include "io/no_rooms_in_map.hpp"
-#include "io/results.hpp"
 
 namespace quadcut {
 namespace {
@@ -25,7 +26,7 @@ io::RunInfo run_info_of(SegmentOptions& options) {
 }
 
 std::vector<std::string> followed_files() {
-    std::vector<std::string> files = io::result_files();
+    std::vector<std::string> files = formats::result_files();
     for (std::string& file : io::map_files()) files.push_back(std::move(file));
     files.emplace_back(kUpdates);
     return files;
@@ -45,7 +46,7 @@ Segmentation followed_rooms(const Follower& follower, const SegmentOptions& opti
 void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,
                   const std::string& updates, const io::RunInfo& info) {
     io::add_map(output, map);
-    io::add_results(output, map, rooms, info);
+    formats::add_results(output, map, rooms, info);
     output.add(kUpdates, updates);
 }
 

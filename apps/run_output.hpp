@@ -7,10 +7,10 @@
 
 #include "io/file_batch.hpp"
 #include "io/report.hpp"
+#include "quadcut/follow/follower.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/follow.hpp"
 #include "quadcut/segment/options.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 

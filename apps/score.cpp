@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "io/score.hpp"
+#include "eval/score.hpp"
 
 #include <iostream>
 #include <optional>
@@ -20,7 +20,7 @@ void run(const Arguments& arguments) {
     print_warnings(predicted.warnings);
     print_warnings(truth.warnings);
     if (free_mask) print_warnings(free_mask->warnings);
-    std::cout << io::to_json(io::score_rooms(predicted, truth, free_mask)) << "\n";
+    std::cout << eval::to_json(eval::score_rooms(predicted, truth, free_mask)) << "\n";
 }
 
 }  // namespace

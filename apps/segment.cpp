@@ -21,16 +21,17 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
+#include "formats/results.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
+#include "io/map_writer.hpp"
 #include "io/no_rooms.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
-#include "io/results.hpp"
+#include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
-#include "quadcut/segment/track.hpp"
 
 namespace quadcut {
 namespace {
@@ -70,7 +71,7 @@ Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& c
 Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
     io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
     output.protect(file.image_path);
-    output.require_free(io::result_files());
+    output.require_free(formats::result_files());
     Input input;
     input.why_no_rooms = io::why_no_rooms(file.greys, file.keys);
     input.map = std::move(file.map);
@@ -113,13 +114,13 @@ void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
            const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
     if (input.is_log) io::add_map(output, input.map);
-    io::add_results(output, input.map, rooms, info);
+    formats::add_results(output, input.map, rooms, info);
     output.commit();
 }
 
 /// What the run will write: the map, too, when it is made of a log.
 std::vector<std::string> files_of(io::FileKind kind) {
-    std::vector<std::string> files = io::result_files();
+    std::vector<std::string> files = formats::result_files();
     if (kind != io::FileKind::laser_log) return files;
     for (std::string& file : io::map_files()) files.push_back(std::move(file));
     return files;

@@ -9,8 +9,8 @@
 
 #include "apps/run_flags.hpp"
 #include "io/room_list.hpp"
-#include "quadcut/segment/segmentation.hpp"
-#include "quadcut/segment/track.hpp"
+#include "quadcut/follow/track.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 

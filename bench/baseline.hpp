@@ -10,11 +10,11 @@
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/basins.hpp"
-#include "quadcut/segment/fuse.hpp"
+#include "quadcut/rooms/basins.hpp"
+#include "quadcut/rooms/fuse.hpp"
+#include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
-#include "quadcut/segment/region_graph.hpp"
 
 namespace quadcut {
 

@@ -14,7 +14,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 // How straight the border between two rooms is.
 namespace quadcut {

@@ -11,10 +11,10 @@
 
 #include "bench/baseline.hpp"
 #include "bench/border_length.hpp"
-#include "bench/building_case.hpp"
-#include "bench/cases.hpp"
 #include "bench/door_score.hpp"
-#include "io/score.hpp"
+#include "eval/building_case.hpp"
+#include "eval/cases.hpp"
+#include "eval/score.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // All that is measured on one simulated building.
@@ -38,8 +38,8 @@ struct MatchedDoor {
 /// A building, its rooms and its doors against the truth.
 struct CaseResult {
     BuildingCase chosen;
-    io::RoomScore rooms;
-    io::RoomScore baseline;
+    eval::RoomScore rooms;
+    eval::RoomScore baseline;
     DoorScore doors;
     std::vector<MatchedDoor> matched;
     KindCounts kinds{};
@@ -102,9 +102,9 @@ inline CaseResult measure(const BuildingCase& chosen) {
     CaseResult result;
     result.chosen = chosen;
     const io::LabelImage truth = as_label_image(mapped.truth);
-    result.rooms = io::score_rooms(as_label_image(found.labels), truth);
+    result.rooms = eval::score_rooms(as_label_image(found.labels), truth);
     result.baseline =
-        io::score_rooms(as_label_image(watershed_baseline(mapped.map, mapped.trajectory)), truth);
+        eval::score_rooms(as_label_image(watershed_baseline(mapped.map, mapped.trajectory)), truth);
     result.doors = DoorScorer(mapped, found).score();
     const Pose image_from_map = inverse(mapped.map.map_from_image);
     const Beside beside(mapped.map);

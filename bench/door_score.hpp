@@ -11,10 +11,10 @@
 #include <tuple>
 #include <vector>
 
-#include "bench/building_case.hpp"
+#include "eval/building_case.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/base/geometry.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 #include "sim/building.hpp"
 
 // Found doors against the true ones of a simulated building.

@@ -12,15 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include "bench/cases.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/id_switches.hpp"
-#include "bench/kd_tree.hpp"
-#include "bench/reproduce/plot.hpp"
-#include "bench/timing.hpp"
-#include "io/score.hpp"
-#include "quadcut/segment/follow.hpp"
+#include "eval/cases.hpp"
+#include "eval/score.hpp"
+#include "quadcut/follow/follower.hpp"
 #include "quadcut/segment/segment.hpp"
+#include "reproduce/kd_tree.hpp"
+#include "reproduce/plot.hpp"
+#include "reproduce/timing.hpp"
 
 namespace quadcut {
 
@@ -37,8 +37,8 @@ inline Agreement compare_with_batch(const Follower& follower, std::span<const Po
                                     const SegmentOptions& options = {}) {
     const Segmentation batch = segment(follower.map().to_grid(), options, way);
     const Segmentation followed = follower.rooms();
-    const io::RoomScore score =
-        io::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
+    const eval::RoomScore score =
+        eval::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
     return {100.0 * score.pq, score.ari, followed.rooms.size(), batch.rooms.size(),
             batch.report.num_leaves};
 }

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "quadcut/follow/room_cells.hpp"
 #include "quadcut/map/tile.hpp"
-#include "quadcut/segment/room_cells.hpp"
 
 namespace quadcut {
 

@@ -128,7 +128,8 @@ inline void write_results(const std::string& path, const std::string& name, Json
     envelope["benchmark"] = name;
     envelope["machine"] = result_file::machine();
     envelope["commit"] = environment("QUADCUT_BENCH_COMMIT", "unknown");
-    envelope["command"] = environment("QUADCUT_BENCH_COMMAND", "build/release/bench/micro_" + name);
+    envelope["command"] =
+        environment("QUADCUT_BENCH_COMMAND", "build/release/bench/measure_" + name);
     envelope["date"] = result_file::now_utc();
     envelope["cores_of_others"] = result_file::cores_of_others();
     std::string text = envelope.dump(1);

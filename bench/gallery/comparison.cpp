@@ -55,10 +55,10 @@ std::string count_words(const std::vector<Fate>& fates, const Words& words) {
 
 Comparison compare(const io::LabelImage& predicted, const io::LabelImage& truth) {
     Comparison comparison;
-    comparison.score = io::score_rooms(predicted, truth);
+    comparison.score = eval::score_rooms(predicted, truth);
     std::vector<std::uint8_t> predicted_found(predicted.num_regions);
     std::vector<std::uint8_t> truth_found(truth.num_regions);
-    for (const io::RoomMatch& match : io::match_rooms(predicted, truth)) {
+    for (const eval::RoomMatch& match : eval::match_rooms(predicted, truth)) {
         if (match.iou <= kFoundIou) continue;
         comparison.found.push_back(match);
         predicted_found[match.predicted - 1] = 1;

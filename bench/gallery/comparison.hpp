@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "eval/score.hpp"
 #include "io/label_image.hpp"
-#include "io/score.hpp"
 
 namespace quadcut::gallery {
 
@@ -23,9 +23,9 @@ enum class Fate : std::uint8_t {
 /// A result held against the truth: the score, and which rooms it is made of. Rooms are the
 /// regions of the two images; truth[i] and predicted[i] tell of region i + 1.
 struct Comparison {
-    io::RoomScore score;
+    eval::RoomScore score;
     /// Those with IoU > 0.5.
-    std::vector<io::RoomMatch> found;
+    std::vector<eval::RoomMatch> found;
     std::vector<Fate> truth;
     std::vector<Fate> predicted;
 };

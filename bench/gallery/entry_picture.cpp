@@ -7,9 +7,9 @@
 #include <cstdint>
 
 #include "bench/gallery/pair_picture.hpp"
-#include "bench/plan_within.hpp"
+#include "draw/render.hpp"
 #include "io/file.hpp"
-#include "io/render.hpp"
+#include "reproduce/plan_within.hpp"
 
 namespace quadcut::gallery {
 namespace {
@@ -35,14 +35,14 @@ Entry write_pair(const Exhibit& exhibit, const std::string& note,
     const double pane = picture.pane_width(scale);
     const double width = std::max(2.0 * pane + PairPicture::kGap, kLeastWidth) + 2.0 * kMargin;
     const double height = picture.pane_height(scale) + kHeader + kMargin;
-    io::Canvas canvas(static_cast<std::int32_t>(std::ceil(width)),
-                      static_cast<std::int32_t>(std::ceil(height)), io::kPaper);
-    const io::Typeface typeface;
-    const io::Rgb soft = io::mixed(io::kPaper, io::kTextInk, 0.7);
+    draw::Canvas canvas(static_cast<std::int32_t>(std::ceil(width)),
+                        static_cast<std::int32_t>(std::ceil(height)), draw::kPaper);
+    const draw::Typeface typeface;
+    const io::Rgb soft = io::mixed(draw::kPaper, draw::kTextInk, 0.7);
     const double after_name = kMargin + typeface.width(exhibit.name, kNameSize) + kNameSize / 2.0;
-    draw_caption(canvas, exhibit.name, {kMargin, 42.0}, kNameSize, io::kTextInk, typeface);
+    draw_caption(canvas, exhibit.name, {kMargin, 42.0}, kNameSize, draw::kTextInk, typeface);
     draw_caption(canvas, figures_text(exhibit.comparison), {after_name, 42.0}, kTextSize,
-                 io::kTextInk, typeface);
+                 draw::kTextInk, typeface);
     draw_caption(canvas, "truth", {kMargin, 78.0}, kTextSize, soft, typeface);
     draw_caption(canvas, "result", {kMargin + pane + PairPicture::kGap, 78.0}, kTextSize, soft,
                  typeface);
@@ -60,14 +60,14 @@ Entry write_alone(const std::string& name, const std::string& note, const GridMa
                   const Segmentation& rooms, const std::filesystem::path& output,
                   const std::string& image) {
     constexpr double kSide = 2400.0;
-    const io::FloorPlan plan = plan_within(map, rooms, kSide, kSide);
-    io::Canvas canvas(plan.page_width, plan.page_height, io::kPaper);
-    io::draw_plan(canvas, plan, io::Typeface());
+    const draw::FloorPlan plan = plan_within(map, rooms, kSide, kSide);
+    draw::Canvas canvas(plan.page_width, plan.page_height, draw::kPaper);
+    draw::draw_plan(canvas, plan, draw::Typeface());
     write_canvas(canvas, output / image);
     return {name, image, note, rooms.rooms.size(), rooms.doors.size(), std::nullopt};
 }
 
-void write_canvas(const io::Canvas& canvas, const std::filesystem::path& path) {
+void write_canvas(const draw::Canvas& canvas, const std::filesystem::path& path) {
     std::filesystem::create_directories(path.parent_path());
     io::write_file_atomically(path, canvas.encode_png());
 }

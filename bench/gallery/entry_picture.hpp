@@ -7,7 +7,7 @@
 
 #include "bench/gallery/exhibit.hpp"
 #include "bench/gallery/index_page.hpp"
-#include "io/canvas.hpp"
+#include "draw/canvas.hpp"
 
 namespace quadcut::gallery {
 
@@ -21,6 +21,6 @@ namespace quadcut::gallery {
                                 const std::filesystem::path& output, const std::string& image);
 
 /// Writes a PNG, and makes its folder if need be.
-void write_canvas(const io::Canvas& canvas, const std::filesystem::path& path);
+void write_canvas(const draw::Canvas& canvas, const std::filesystem::path& path);
 
 }  // namespace quadcut::gallery

@@ -7,7 +7,7 @@
 #include "bench/gallery/comparison.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::gallery {
 

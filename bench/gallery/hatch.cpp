@@ -11,8 +11,8 @@
 
 namespace quadcut::gallery {
 
-io::Shape hatch(const std::vector<std::vector<Point>>& polygons, double spacing,
-                double line_width) {
+draw::Shape hatch(const std::vector<std::vector<Point>>& polygons, double spacing,
+                  double line_width) {
     // A line holds the points of one x + y.
     const double step = spacing * std::numbers::sqrt2;
     double low = std::numeric_limits<double>::max();
@@ -23,7 +23,7 @@ io::Shape hatch(const std::vector<std::vector<Point>>& polygons, double spacing,
             high = std::max(high, point.x + point.y);
         }
     }
-    io::Shape shape;
+    draw::Shape shape;
     for (double sum = std::ceil(low / step) * step; sum < high; sum += step) {
         std::vector<double> crossings;
         for (const std::vector<Point>& polygon : polygons) {

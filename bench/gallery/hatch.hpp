@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "io/canvas.hpp"
+#include "draw/canvas.hpp"
 
 namespace quadcut::gallery {
 
 /// Lines that rise to the right at 45 degrees, `spacing` pixels apart, where they lie inside of the
 /// polygons (even-odd: a polygon within another is a hole). O(lines * corners).
-[[nodiscard]] io::Shape hatch(const std::vector<std::vector<Point>>& polygons, double spacing,
-                              double line_width);
+[[nodiscard]] draw::Shape hatch(const std::vector<std::vector<Point>>& polygons, double spacing,
+                                double line_width);
 
 }  // namespace quadcut::gallery

@@ -89,7 +89,7 @@ void append_table(std::string& page, const Section& section, const std::string& 
         const Entry& entry = section.entries[i];
         page += "<tr>" + name_cell(entry, id + std::to_string(i));
         if (entry.comparison) {
-            const io::RoomScore& score = entry.comparison->score;
+            const eval::RoomScore& score = entry.comparison->score;
             page += cell(percent(score.pq)) + cell(percent(score.f1_70)) +
                     cell(std::to_string(score.truth));
         } else if (any_scored) {
@@ -119,7 +119,7 @@ void append_pictures(std::string& page, const Section& section, const std::strin
 }  // namespace
 
 std::string figures_text(const Comparison& comparison) {
-    const io::RoomScore& score = comparison.score;
+    const eval::RoomScore& score = comparison.score;
     return "PQ " + percent(score.pq) + ", F1 at IoU 0.7 " + percent(score.f1_70) + ", " +
            std::to_string(score.rooms) + " rooms for " + std::to_string(score.truth) + ", " +
            error_text(comparison);

@@ -7,10 +7,10 @@
 #include <cstdint>
 
 #include "bench/gallery/entry_picture.hpp"
-#include "bench/plan_within.hpp"
+#include "draw/render.hpp"
 #include "io/number_text.hpp"
 #include "io/outline.hpp"
-#include "io/render.hpp"
+#include "reproduce/plan_within.hpp"
 
 namespace quadcut::gallery {
 namespace {
@@ -22,12 +22,12 @@ constexpr double kRowGap = 40.0;
 constexpr double kHeader = 58.0;
 constexpr std::size_t kColumns = 2;
 
-void fill_cells(io::Canvas& canvas, const GridMap& map, const io::FloorPlan& plan, CellState state,
-                io::Rgb ink) {
+void fill_cells(draw::Canvas& canvas, const GridMap& map, const draw::FloorPlan& plan,
+                CellState state, io::Rgb ink) {
     Raster<std::uint8_t> cells(map.states.origin, map.states.width, map.states.height);
     std::transform(map.states.values.begin(), map.states.values.end(), cells.values.begin(),
                    [state](CellState cell) { return std::uint8_t{cell == state}; });
-    io::Shape shape;
+    draw::Shape shape;
     for (const io::RegionOutline& region : io::trace_outlines(cells)) {
         for (const io::OutlineRing& ring : region.rings) {
             std::vector<Point> points;
@@ -77,13 +77,13 @@ void Montage::write(const std::filesystem::path& path) const {
         }
         y += kHeader + height + kRowGap;
     }
-    io::Canvas canvas(static_cast<std::int32_t>(kPageWidth),
-                      static_cast<std::int32_t>(std::ceil(y - kRowGap + kMargin)), io::kPaper);
-    const io::Typeface typeface;
-    const io::Rgb soft = io::mixed(io::kPaper, io::kTextInk, 0.7);
+    draw::Canvas canvas(static_cast<std::int32_t>(kPageWidth),
+                        static_cast<std::int32_t>(std::ceil(y - kRowGap + kMargin)), draw::kPaper);
+    const draw::Typeface typeface;
+    const io::Rgb soft = io::mixed(draw::kPaper, draw::kTextInk, 0.7);
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const Point& at = places[i].origin;
-        draw_caption(canvas, items_[i].title, {at.x, at.y + 18.0}, 20.0, io::kTextInk, typeface);
+        draw_caption(canvas, items_[i].title, {at.x, at.y + 18.0}, 20.0, draw::kTextInk, typeface);
         draw_caption(canvas, items_[i].figure, {at.x, at.y + 42.0}, 17.0, soft, typeface);
         items_[i].picture.draw(canvas, {at.x, at.y + kHeader}, places[i].scale, typeface);
     }
@@ -96,13 +96,13 @@ void write_before_and_after(const Side& side, const std::filesystem::path& folde
     constexpr io::Rgb kUnknownGrey{205, 205, 205};
     constexpr io::Rgb kWhite{254, 254, 254};
     constexpr io::Rgb kBlack{0, 0, 0};
-    const io::FloorPlan plan = plan_within(side.map, side.rooms, kWidth, kHeight);
-    io::Canvas before(plan.page_width, plan.page_height, kUnknownGrey);
+    const draw::FloorPlan plan = plan_within(side.map, side.rooms, kWidth, kHeight);
+    draw::Canvas before(plan.page_width, plan.page_height, kUnknownGrey);
     fill_cells(before, side.map, plan, CellState::free, kWhite);
     fill_cells(before, side.map, plan, CellState::occupied, kBlack);
     write_canvas(before, folder / "before.png");
-    io::Canvas after(plan.page_width, plan.page_height, io::kPaper);
-    io::draw_plan(after, plan, io::Typeface());
+    draw::Canvas after(plan.page_width, plan.page_height, draw::kPaper);
+    draw::draw_plan(after, plan, draw::Typeface());
     write_canvas(after, folder / "after.png");
 }
 

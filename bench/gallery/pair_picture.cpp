@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "bench/gallery/hatch.hpp"
-#include "io/label_placement.hpp"
-#include "io/render.hpp"
-#include "io/results.hpp"
+#include "draw/label_placement.hpp"
+#include "draw/render.hpp"
+#include "io/room_colors.hpp"
 #include "quadcut/map/clearance.hpp"
 
 namespace quadcut::gallery {
@@ -22,9 +22,9 @@ constexpr io::Rgb kErrorPaper{0xFF, 0xF6, 0xF5};
 
 using Polygons = std::vector<std::vector<Point>>;
 
-Polygons on_page(const io::FloorPlan& plan, const io::DrawnRoom& room) {
+Polygons on_page(const draw::FloorPlan& plan, const draw::DrawnRoom& room) {
     Polygons polygons;
-    for (const io::DrawnRing& ring : room.rings) {
+    for (const draw::DrawnRing& ring : room.rings) {
         std::vector<Point>& points = polygons.emplace_back();
         for (const io::HalfCell point : ring) points.push_back(plan.to_page(point));
     }
@@ -38,13 +38,13 @@ struct PairColors {
 };
 
 PairColors choose_colors(const Exhibit& exhibit) {
-    const std::vector<io::RoomMatch>& found = exhibit.comparison.found;
+    const std::vector<eval::RoomMatch>& found = exhibit.comparison.found;
     PairColors colors{{exhibit.comparison.truth.size(), kErrorPaper},
                       {exhibit.comparison.predicted.size(), kErrorPaper}};
     std::vector<std::uint16_t> match_of_true(colors.truth.size() + 1);
     std::vector<std::uint16_t> match_of_predicted(colors.result.size() + 1);
     std::vector<RoomKind> kinds;
-    for (const io::RoomMatch& match : found) {
+    for (const eval::RoomMatch& match : found) {
         kinds.push_back(exhibit.result.rooms.rooms[match.predicted - 1].kind);
         match_of_true[match.truth] = static_cast<std::uint16_t>(kinds.size());
         match_of_predicted[match.predicted] = static_cast<std::uint16_t>(kinds.size());
@@ -74,9 +74,9 @@ PairColors choose_colors(const Exhibit& exhibit) {
 }
 
 /// Where a word may stand: the middle of each region's area, and its innermost cell.
-std::vector<io::LabelText> place_words(const Side& side, const std::vector<std::string>& words) {
+std::vector<draw::LabelText> place_words(const Side& side, const std::vector<std::string>& words) {
     const Raster<std::uint16_t>& labels = side.rooms.labels;
-    std::vector<io::LabelText> texts;
+    std::vector<draw::LabelText> texts;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i].empty()) continue;
         const auto room = static_cast<std::uint16_t>(i + 1);
@@ -108,11 +108,11 @@ std::vector<std::string> words_for(const std::vector<Fate>& fates, std::string_v
 
 }  // namespace
 
-void draw_caption(io::Canvas& canvas, const std::string& text, const Point& left, double size,
-                  io::Rgb ink, const io::Typeface& typeface) {
+void draw_caption(draw::Canvas& canvas, const std::string& text, const Point& left, double size,
+                  io::Rgb ink, const draw::Typeface& typeface) {
     const Point middle{left.x + typeface.width(text, size) / 2.0, left.y};
-    io::draw_text(canvas, {text, size, middle}, io::TextDirection::along_rows, ink, io::kPaper,
-                  typeface);
+    draw::draw_text(canvas, {text, size, middle}, draw::TextDirection::along_rows, ink,
+                    draw::kPaper, typeface);
 }
 
 PairPicture::PairPicture(const Exhibit& exhibit) {
@@ -127,7 +127,7 @@ PairPicture::PairPicture(const Exhibit& exhibit) {
 
 PairPicture::Pane PairPicture::make_pane(const Side& side, const std::vector<io::Rgb>& colors,
                                          const std::vector<std::string>& words) {
-    Pane pane{io::lay_out_floor_plan(side.map, side.rooms, colors), place_words(side, words), {}};
+    Pane pane{draw::lay_out_floor_plan(side.map, side.rooms, colors), place_words(side, words), {}};
     pane.plan.remove_text();
     const Raster<std::uint16_t>& labels = side.rooms.labels;
     pane.ground = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
@@ -147,61 +147,61 @@ double PairPicture::pane_height(double pixels_per_cell) const {
     return frame_.height() * pixels_per_cell;
 }
 
-io::FloorPlan PairPicture::plan_at(const Pane& pane, const Point& origin,
-                                   double pixels_per_cell) const {
+draw::FloorPlan PairPicture::plan_at(const Pane& pane, const Point& origin,
+                                     double pixels_per_cell) const {
     const double factor = pixels_per_cell / (2.0 * pane.plan.pixels_per_half_cell);
     const Point corner{origin.x + (pane.plan.frame.low.x - frame_.low.x) * pixels_per_cell,
                        origin.y + (frame_.high.y - pane.plan.frame.high.y) * pixels_per_cell};
-    io::FloorPlan plan = io::placed(pane.plan, factor,
-                                    {corner.x - factor * pane.plan.drawing_origin.x,
-                                     corner.y - factor * pane.plan.drawing_origin.y});
+    draw::FloorPlan plan = draw::placed(pane.plan, factor,
+                                        {corner.x - factor * pane.plan.drawing_origin.x,
+                                         corner.y - factor * pane.plan.drawing_origin.y});
     plan.border_width = 0.8;
     plan.door_width = 2.2;
     return plan;
 }
 
-void PairPicture::draw(io::Canvas& canvas, const Point& origin, double pixels_per_cell,
-                       const io::Typeface& typeface) const {
+void PairPicture::draw(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+                       const draw::Typeface& typeface) const {
     const Point right{origin.x + pane_width(pixels_per_cell) + kGap, origin.y};
-    const io::FloorPlan truth = plan_at(truth_, origin, pixels_per_cell);
-    const io::FloorPlan result = plan_at(result_, right, pixels_per_cell);
-    io::draw_plan(canvas, truth, typeface);
-    io::draw_plan(canvas, result, typeface);
+    const draw::FloorPlan truth = plan_at(truth_, origin, pixels_per_cell);
+    const draw::FloorPlan result = plan_at(result_, right, pixels_per_cell);
+    draw::draw_plan(canvas, truth, typeface);
+    draw::draw_plan(canvas, result, typeface);
 
     constexpr double kTruthLine = 1.3;
-    io::Shape borders;
-    const io::FloorPlan truth_at_right = plan_at(truth_, right, pixels_per_cell);
-    for (const io::DrawnRoom& room : truth_at_right.rooms) {
+    draw::Shape borders;
+    const draw::FloorPlan truth_at_right = plan_at(truth_, right, pixels_per_cell);
+    for (const draw::DrawnRoom& room : truth_at_right.rooms) {
         for (const std::vector<Point>& polygon : on_page(truth_at_right, room)) {
             borders.add_closed_line(polygon, kTruthLine);
         }
     }
-    canvas.fill(std::move(borders), io::kWallInk);
+    canvas.fill(std::move(borders), draw::kWallInk);
     draw_errors(canvas, truth_, truth, origin, pixels_per_cell, typeface);
     draw_errors(canvas, result_, result, right, pixels_per_cell, typeface);
 }
 
-void PairPicture::draw_errors(io::Canvas& canvas, const Pane& pane, const io::FloorPlan& plan,
+void PairPicture::draw_errors(draw::Canvas& canvas, const Pane& pane, const draw::FloorPlan& plan,
                               const Point& origin, double pixels_per_cell,
-                              const io::Typeface& typeface) const {
+                              const draw::Typeface& typeface) const {
     constexpr double kHatchSpacing = 9.0;
     constexpr double kHatchLine = 1.0;
     constexpr double kOutline = 2.4;
-    const io::PageScale scale{origin.x - frame_.low.x * pixels_per_cell,
-                              origin.y + (frame_.high.y + 1) * pixels_per_cell, pixels_per_cell};
-    for (const io::LabelText& error : pane.errors) {
+    const draw::PageScale scale{origin.x - frame_.low.x * pixels_per_cell,
+                                origin.y + (frame_.high.y + 1) * pixels_per_cell, pixels_per_cell};
+    for (const draw::LabelText& error : pane.errors) {
         const Polygons polygons = on_page(plan, plan.rooms[error.room - 1]);
-        io::Shape outline;
+        draw::Shape outline;
         for (const std::vector<Point>& polygon : polygons) {
             outline.add_closed_line(polygon, kOutline);
         }
         canvas.fill(hatch(polygons, kHatchSpacing, kHatchLine), kErrorInk, 0.7);
         canvas.fill(std::move(outline), kErrorInk);
     }
-    for (const io::LabelText& error : pane.errors) {
-        const auto label = io::place_label(error, pane.ground, scale, 1.0, typeface);
+    for (const draw::LabelText& error : pane.errors) {
+        const auto label = draw::place_label(error, pane.ground, scale, 1.0, typeface);
         if (!label) continue;
-        io::draw_text(canvas, label->name, label->direction, kErrorInk, io::kPaper, typeface);
+        draw::draw_text(canvas, label->name, label->direction, kErrorInk, draw::kPaper, typeface);
     }
 }
 

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "bench/gallery/exhibit.hpp"
-#include "io/canvas.hpp"
-#include "io/floor_plan.hpp"
-#include "io/typeface.hpp"
+#include "draw/canvas.hpp"
+#include "draw/floor_plan.hpp"
+#include "draw/typeface.hpp"
 
 namespace quadcut::gallery {
 
 /// Text from `left` on along the base line at `left.y`.
-void draw_caption(io::Canvas& canvas, const std::string& text, const Point& left, double size,
-                  io::Rgb ink, const io::Typeface& typeface);
+void draw_caption(draw::Canvas& canvas, const std::string& text, const Point& left, double size,
+                  io::Rgb ink, const draw::Typeface& typeface);
 
 /// Truth at the left, result at the right, on the same scale. Rooms that were found have the same
 /// colour on both sides; the others are white, hatched in red, with a word that says what is wrong.
@@ -29,8 +29,8 @@ public:
     [[nodiscard]] double pane_height(double pixels_per_cell) const;
 
     /// Draws both from `origin`, the upper left corner, on.
-    void draw(io::Canvas& canvas, const Point& origin, double pixels_per_cell,
-              const io::Typeface& typeface) const;
+    void draw(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+              const draw::Typeface& typeface) const;
 
     /// Between the two, pixels.
     static constexpr double kGap = 24.0;
@@ -38,17 +38,17 @@ public:
 private:
     /// A plan, and a word for each of its rooms that is wrong.
     struct Pane {
-        io::FloorPlan plan;
-        std::vector<io::LabelText> errors;
+        draw::FloorPlan plan;
+        std::vector<draw::LabelText> errors;
         Raster<std::uint16_t> ground;
     };
     [[nodiscard]] static Pane make_pane(const Side& side, const std::vector<io::Rgb>& colors,
                                         const std::vector<std::string>& words);
-    [[nodiscard]] io::FloorPlan plan_at(const Pane& pane, const Point& origin,
-                                        double pixels_per_cell) const;
-    void draw_errors(io::Canvas& canvas, const Pane& pane, const io::FloorPlan& plan,
+    [[nodiscard]] draw::FloorPlan plan_at(const Pane& pane, const Point& origin,
+                                          double pixels_per_cell) const;
+    void draw_errors(draw::Canvas& canvas, const Pane& pane, const draw::FloorPlan& plan,
                      const Point& origin, double pixels_per_cell,
-                     const io::Typeface& typeface) const;
+                     const draw::Typeface& typeface) const;
 
     Pane truth_;
     Pane result_;

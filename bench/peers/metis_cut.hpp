@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/peers/stop_watch.hpp"
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 
 namespace quadcut::peers {
 

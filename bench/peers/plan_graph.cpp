@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "quadcut/graph/border_edges.hpp"
-#include "quadcut/graph/visibility.hpp"
 #include "quadcut/map/leaf_table.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/paper/visibility.hpp"
+#include "quadcut/rooms/border_edges.hpp"
 #include "sim/building.hpp"
 
 namespace quadcut::peers {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 
 namespace quadcut::peers {
 

@@ -8,7 +8,7 @@
 #include "io/palette.hpp"
 #include "io/room_pairs.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

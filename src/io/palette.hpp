@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/room_pairs.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

@@ -11,8 +11,8 @@
 
 #include "io/map_yaml.hpp"
 #include "io/palette.hpp"
+#include "quadcut/follow/track.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/track.hpp"
 
 namespace quadcut::io {
 

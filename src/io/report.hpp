@@ -12,9 +12,9 @@
 #include "io/map_yaml.hpp"
 #include "io/palette.hpp"
 #include "quadcut/base/option_field.hpp"
+#include "quadcut/follow/track.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/segmentation.hpp"
-#include "quadcut/segment/track.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

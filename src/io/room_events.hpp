@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/json_writer.hpp"
-#include "quadcut/segment/track.hpp"
+#include "quadcut/follow/track.hpp"
 
 namespace quadcut::io {
 

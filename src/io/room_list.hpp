@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/json_writer.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

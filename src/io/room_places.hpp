@@ -6,7 +6,7 @@
 #include <map>
 #include <span>
 
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

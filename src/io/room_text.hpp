@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

@@ -8,7 +8,7 @@
 #include "io/map_yaml.hpp"
 #include "io/palette.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "quadcut/segment/follow.hpp"
+#include "quadcut/follow/follower.hpp"
 
 namespace quadcut::io {
 

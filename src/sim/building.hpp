@@ -10,7 +10,7 @@
 #include "quadcut/base/ids.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 #include "sim/shape.hpp"
 
 namespace quadcut::sim {

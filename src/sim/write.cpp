@@ -8,8 +8,8 @@
 
 #include "io/authorship.hpp"
 #include "io/label_image.hpp"
+#include "io/map_writer.hpp"
 #include "io/number_text.hpp"
-#include "io/results.hpp"
 #include "io/room_text.hpp"
 
 namespace quadcut::sim {

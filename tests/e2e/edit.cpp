@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "project/project.hpp"
 #include "quadcut/base/random.hpp"
-#include "store/project.hpp"
 #include "tests/e2e/program.hpp"
-#include "tests/unit/segment/followed.hpp"
+#include "tests/unit/follow/followed.hpp"
 
 namespace quadcut::test {
 namespace {

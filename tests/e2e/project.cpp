@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "store/project.hpp"
+#include "project/project.hpp"
 
 #include <chrono>
 #include <filesystem>

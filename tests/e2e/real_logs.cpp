@@ -8,8 +8,8 @@
 
 #include "io/map_server.hpp"
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
-#include "quadcut/segment/rooms.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "tests/e2e/labels.hpp"
 #include "tests/e2e/program.hpp"
@@ -78,8 +78,7 @@ TEST(SlowRealLogs, AWholeMapHasTheRoomsOfAWindowThatHoldsIt) {
     const Raster<std::uint8_t> free = mask_of(map, CellState::free);
     const auto rooms_of = [&](const auto& add_beyond, Hierarchy* hierarchy) {
         StageClock clock;
-        SegmentReport report;
-        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, clock, {2}, report,
+        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, 1, clock, {2},
                               hierarchy)
             .rooms.values;
     };

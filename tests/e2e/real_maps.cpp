@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "eval/score.hpp"
 #include "io/label_image.hpp"
 #include "io/map_server.hpp"
-#include "io/score.hpp"
 #include "tests/e2e/labels.hpp"
 #include "tests/e2e/program.hpp"
 
@@ -25,7 +25,7 @@ const std::vector<std::string> kFloors{"kth_50010535_PLAN1", "kth_50015847", "kt
                                        "kth_50052751"};
 
 /// Segments data/rooms/NAME.KIND.yaml with the defaults and scores the result.
-io::RoomScore score_of(const Folder& folder, const std::string& name, const std::string& kind) {
+eval::RoomScore score_of(const Folder& folder, const std::string& name, const std::string& kind) {
     const std::filesystem::path map = shared("data/rooms/" + name + "." + kind + ".yaml");
     const std::string out = folder / (name + "." + kind);
     const Outcome outcome = run_quadcut({"segment", map.string(), "-o", out});
@@ -34,9 +34,10 @@ io::RoomScore score_of(const Folder& folder, const std::string& name, const std:
     for (const auto& [label, parts] : num_parts_by_label(read_labels(out + "/rooms.png"))) {
         EXPECT_EQ(parts, 1) << name << "." << kind << ": room " << label << " is not connected";
     }
-    return io::score_rooms(io::read_label_image(out + "/rooms.png"),
-                           io::read_label_image(shared("data/rooms/" + name + ".rooms.png")),
-                           io::read_free_mask(shared("data/rooms/" + name + "." + kind + ".png")));
+    return eval::score_rooms(
+        io::read_label_image(out + "/rooms.png"),
+        io::read_label_image(shared("data/rooms/" + name + ".rooms.png")),
+        io::read_free_mask(shared("data/rooms/" + name + "." + kind + ".png")));
 }
 
 /// Mean panoptic quality, per cent; every map must be covered.
@@ -44,7 +45,7 @@ double mean_pq(const std::vector<std::string>& names, const std::string& kind) {
     const Folder folder;
     double sum = 0.0;
     for (const std::string& name : names) {
-        const io::RoomScore score = score_of(folder, name, kind);
+        const eval::RoomScore score = score_of(folder, name, kind);
         EXPECT_GE(score.cover, 0.98) << name << "." << kind;
         std::printf("%-28s pq %.1f cover %.3f rooms %u truth %u\n", (name + "." + kind).c_str(),
                     100.0 * score.pq, score.cover, score.rooms, score.truth);

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/follower.hpp"
 #include "quadcut/map/integrate.hpp"
-#include "quadcut/segment/follow.hpp"
 
 // The bytes are a sequence of scans, patches, edits, saves and loads. Beside the follower goes a
 // plain model: the log-odds of each cell, the ids that were ever given, and what was saved.

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/shared_folder.hpp"
+#include "eval/score.hpp"
 #include "io/image.hpp"
-#include "io/score.hpp"
 #include "quadcut/base/random.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -77,9 +77,9 @@ void expect_same_scores(const std::vector<Pair>& pairs, const test::ScratchFolde
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         std::optional<FreeMask> mask;
         if (!pairs[i].map.empty()) mask = read_free_mask(pairs[i].map);
-        const RoomScore score = score_rooms(read_label_image(pairs[i].predicted),
-                                            read_label_image(pairs[i].truth), mask);
-        const auto own = nlohmann::ordered_json::parse(to_json(score));
+        const eval::RoomScore score = eval::score_rooms(read_label_image(pairs[i].predicted),
+                                                        read_label_image(pairs[i].truth), mask);
+        const auto own = nlohmann::ordered_json::parse(eval::to_json(score));
         ASSERT_EQ(own.size(), (*scores)[i].size());
         for (const auto& [key, value] : own.items()) {
             EXPECT_NEAR(value.get<double>(), (*scores)[i].at(key).get<double>(), 1e-9)

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/graph/border_edges.hpp"
-#include "quadcut/graph/visibility.hpp"
+#include "quadcut/paper/visibility.hpp"
+#include "quadcut/rooms/border_edges.hpp"
 #include "tests/oracle/visibility_oracle.hpp"
-#include "tests/unit/graph/small_map.hpp"
+#include "tests/unit/paper/small_map.hpp"
 
 /// Both kinds of edge against a look at every pair of leaves.
 namespace quadcut {

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include <gtest/gtest.h>
 
-#include "quadcut/graph/line_of_sight.hpp"
+#include "quadcut/paper/line_of_sight.hpp"
 #include "tests/oracle/visibility_oracle.hpp"
-#include "tests/unit/graph/small_map.hpp"
+#include "tests/unit/paper/small_map.hpp"
 
 namespace quadcut {
 namespace {

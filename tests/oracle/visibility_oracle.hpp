@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "quadcut/graph/line_of_sight.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/paper/line_of_sight.hpp"
 
 /// Line of sight by its definition: slow, exact, and without anything of the production test.
 namespace quadcut::test {

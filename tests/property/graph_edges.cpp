@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/graph/border_edges.hpp"
-#include "quadcut/graph/visibility.hpp"
+#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/morton.hpp"
-#include "tests/unit/graph/small_map.hpp"
+#include "quadcut/paper/visibility.hpp"
+#include "quadcut/rooms/border_edges.hpp"
+#include "tests/unit/paper/small_map.hpp"
 
 namespace quadcut {
 namespace {

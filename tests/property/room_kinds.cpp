@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
-#include "io/floor_plan.hpp"
+#include "draw/floor_plan.hpp"
+#include "eval/building_case.hpp"
+#include "formats/results.hpp"
 #include "io/map_server.hpp"
-#include "io/results.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // What rooms are called, and whether a picture says it of each of them.
@@ -53,7 +53,7 @@ TEST(RoomKinds, AMeetingRoomWithATableIsNoCorridor) {
     const GridMap map = meeting_room();
     const Segmentation found = segment(map, {});
     expect_meeting_room(found);
-    const io::FloorPlan plan = io::lay_out_floor_plan(map, found, std::vector<io::Rgb>(2));
+    const draw::FloorPlan plan = draw::lay_out_floor_plan(map, found, std::vector<io::Rgb>(2));
     EXPECT_EQ(plan.furniture.size(), 2U) << "the table: its edge, around its middle";
     EXPECT_EQ(plan.furniture_insides.size(), 1U);
 }
@@ -84,10 +84,10 @@ TEST(RoomKinds, SlowMostAreRightOnSimulatedBuildings) {
 
 /// Each room has its name on the plan, or its number and a line of the legend.
 void expect_words_for_all(const GridMap& map, const Segmentation& found) {
-    const io::FloorPlan plan =
-        io::lay_out_floor_plan(map, found, std::vector<io::Rgb>(found.rooms.size()));
+    const draw::FloorPlan plan =
+        draw::lay_out_floor_plan(map, found, std::vector<io::Rgb>(found.rooms.size()));
     std::set<std::uint32_t> rooms;
-    for (const io::RoomLabel& label : plan.labels) {
+    for (const draw::RoomLabel& label : plan.labels) {
         rooms.insert(label.room);
         const Room& room = found.rooms.at(label.room - 1);
         if (label.name.text == room.name) continue;

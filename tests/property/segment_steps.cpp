@@ -18,12 +18,12 @@
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
-#include "quadcut/segment/basins.hpp"
-#include "quadcut/segment/door_model.hpp"
-#include "quadcut/segment/door_trees.hpp"
-#include "quadcut/segment/narrowing.hpp"
-#include "quadcut/segment/open_space.hpp"
-#include "quadcut/segment/region_graph.hpp"
+#include "quadcut/rooms/basins.hpp"
+#include "quadcut/rooms/door_model.hpp"
+#include "quadcut/rooms/door_trees.hpp"
+#include "quadcut/rooms/narrowing.hpp"
+#include "quadcut/rooms/open_space.hpp"
+#include "quadcut/rooms/region_graph.hpp"
 
 namespace quadcut {
 namespace {

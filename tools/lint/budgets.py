@@ -1,28 +1,51 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
-"""Budgets: the core, each file and each function stay small; no function macros, no raw new."""
+"""Budgets: each wing of the core, each file and each function stay small; no function macros, no raw
+new. A wing's limit is a ratchet: at most RATCHET lines above its count, so that deleting lowers it and
+raising it shows in review."""
 
 import re
 
 from source import Tree
 
 # The door model's trees are data that tools/train/door_model.py writes, not code.
-CORE_DATA = "src/quadcut/segment/door_trees.cpp"
-MAX_CORE_LINES = 11520
+CORE_DATA = "src/quadcut/rooms/door_trees.cpp"
+WINGS = {
+    "rooms": ("base", "map", "spectral", "rooms", "segment"),
+    "paper": ("paper",),
+    "live": ("follow",),
+}
+MAX_LINES = {"rooms": 8420, "paper": 765, "live": 2450}
+RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
 
 
-def num_core_lines(tree: Tree) -> int:
+def num_lines(tree: Tree, wing: str) -> int:
+    folders = tuple(f"src/quadcut/{folder}/" for folder in WINGS[wing])
     return sum(f.num_code_lines() for f in tree.sources("src")
-               if f.path.startswith("src/quadcut/") and f.path != CORE_DATA)
+               if f.path.startswith(folders) and f.path != CORE_DATA)
+
+
+def check_wings(tree: Tree) -> list[str]:
+    problems = []
+    for wing, limit in MAX_LINES.items():
+        count = num_lines(tree, wing)
+        if count > limit:
+            problems.append(f"tools/lint/budgets.py: wing {wing}: {count} lines of code; "
+                            f"the budget is {limit}")
+        elif count < limit - RATCHET:
+            problems.append(f"tools/lint/budgets.py: wing {wing}: {count} lines of code; "
+                            f"lower its budget of {limit} to {count + RATCHET} or less")
+    return problems
 
 
 def check(tree: Tree) -> list[str]:
+    return check_wings(tree) + check_files(tree)
+
+
+def check_files(tree: Tree) -> list[str]:
     problems = []
-    core = num_core_lines(tree)
-    if core > MAX_CORE_LINES:
-        problems.append(f"src/quadcut: {core} lines of code; the budget is {MAX_CORE_LINES}")
     for file in tree.sources("src", "apps"):
         if len(file.lines) > MAX_FILE_LINES:
             problems.append(f"{file.path}:1: {len(file.lines)} lines; "

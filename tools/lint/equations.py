@@ -4,7 +4,7 @@
 
 A mark is a comment `// Eq. (3): ...`. A row of the table is
 
-    | (3) threshold | `threshold` in `src/quadcut/graph/visibility.cpp` | `Visibility.Threshold` |
+    | (3) threshold | `threshold` in `src/quadcut/paper/visibility.cpp` | `Visibility.Threshold` |
 
 Further columns are free. A row may name several functions, each followed by its file, and several
 tests; a row whose first cell names no number belongs to no mark and is left alone.

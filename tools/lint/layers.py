@@ -1,26 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
-"""Dependency goes down the page: base <- map <- graph <- spectral <- segment <- everything else."""
+"""Dependency goes down the page: base <- map, base <- spectral; map + spectral <- rooms | paper, which do
+not see each other; both <- segment <- follow <- everything else."""
 
 import re
 
 from source import SourceFile, Tree
 
-CORE = {"base", "map", "graph", "spectral", "segment"}
+FLOORS = {"base", "map", "spectral"}
+CORE = FLOORS | {"rooms", "paper", "segment", "follow"}
 
 # Folder -> the folders it may include, itself aside. A new folder gets a line here.
 MAY_INCLUDE = {
     "base": set(),
     "map": {"base"},
-    "graph": {"base", "map"},
-    "spectral": {"base", "graph"},  # knows no map
-    "segment": CORE,
+    "spectral": {"base"},  # knows no map
+    "rooms": FLOORS,
+    "paper": FLOORS,
+    "segment": FLOORS | {"rooms", "paper"},
+    "follow": CORE,
     "io": CORE,
+    "draw": CORE | {"io"},
+    "formats": CORE | {"io", "draw"},
+    "project": CORE | {"io"},
     "sim": CORE | {"io"},
-    "store": CORE | {"io"},
-    "backends": CORE,
-    # bench: what `quadcut reproduce` runs.
-    "apps": CORE | {"io", "sim", "store", "backends", "bench"},
+    "eval": CORE | {"io", "sim"},
+    "opencl": CORE,
+    "reproduce": CORE | {"io", "draw", "sim", "eval"},
+    "apps": CORE | {"io", "draw", "formats", "project", "sim", "eval", "opencl", "reproduce"},
 }
 
 

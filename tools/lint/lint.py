@@ -54,8 +54,9 @@ def main() -> int:
     report("format", check_format(tree, fix))
     tree = load_tree(ROOT)
     report("layers", layers.check(tree))
-    core = f" (core: {budgets.num_core_lines(tree)} of {budgets.MAX_CORE_LINES} lines)"
-    report("budgets", budgets.check(tree), core)
+    wings = ", ".join(f"{wing}: {budgets.num_lines(tree, wing)} of {limit} lines"
+                      for wing, limit in budgets.MAX_LINES.items())
+    report("budgets", budgets.check(tree), f" ({wings})")
     report("names", names.check(tree))
     report("equations", equations.check(tree))
     program = ROOT / "build/release/quadcut"

@@ -69,6 +69,7 @@ class Layers(unittest.TestCase):
         for path, target in (("src__quadcut__base__b_cpp", "quadcut/segment/a.hpp"),
                              ("src__quadcut__spectral__b_cpp", "quadcut/map/a.hpp"),
                              ("src__quadcut__segment__b_cpp", "io/a.hpp"),
+                             ("src__quadcut__rooms__b_cpp", "quadcut/segment/a.hpp"),
                              ("src__io__b_cpp", "sim/a.hpp"), ("src__sim__b_cpp", "apps/a.hpp")):
             with self.subTest(path):
                 self.assertEqual(1, len(layers.check(tree_of(**{
@@ -93,25 +94,33 @@ class Layers(unittest.TestCase):
 
 
 class Budgets(unittest.TestCase):
+    def check_files(self, **files: str) -> list[str]:
+        return budgets.check_files(tree_of(**files))
+
     def test_good(self):
-        self.assertEqual(budgets.check(tree_of(
+        self.assertEqual(self.check_files(
             src__io__a_cpp="int f() {\n" + "    f();\n" * 58 + "}\n"
-            "// new\n#include <new>\n#define A 1\n")), [])
+            "// new\n#include <new>\n#define A 1\n"), [])
 
     def test_bad(self):
         for text in ("int f() {\n" + "    f();\n" * 59 + "}\n", "\n" * 401, "#define A(x) x\n",
                      "auto* a = new int;\n"):
-            self.assertEqual(1, len(budgets.check(tree_of(src__io__a_cpp=text))), text[:40])
+            self.assertEqual(1, len(self.check_files(src__io__a_cpp=text)), text[:40])
 
-    def test_core(self):
-        full = "int a;\n" * 300
-        num_files = budgets.MAX_CORE_LINES // 300
-        files = {f"src__quadcut__map__a{i}_cpp": full for i in range(num_files)}
-        self.assertEqual([], budgets.check(tree_of(**files)))
-        files["src__quadcut__base__a_cpp"] = full
-        self.assertEqual(1, len(budgets.check(tree_of(**files))))
-        files["src__quadcut__base__a_cpp"] = "// a\n\n" * 199
-        self.assertEqual([], budgets.check(tree_of(**files)))
+    def test_wings(self):
+        limits = budgets.MAX_LINES
+        budgets.MAX_LINES = {"rooms": 400, "paper": 0, "live": 100}
+        try:
+            files = {"src__quadcut__map__a_cpp": "int a;\n" * 380,
+                     "src__quadcut__follow__a_cpp": "int a;\n" * 100}
+            self.assertEqual([], budgets.check_wings(tree_of(**files)))
+            for path in ("src__quadcut__base__a_cpp", "src__quadcut__paper__a_cpp"):
+                more = {**files, path: "int a;\n" * 21}
+                self.assertEqual(1, len(budgets.check_wings(tree_of(**more))), path)
+            files["src__quadcut__map__a_cpp"] = "int a;\n" * 374 + "// a\n\n"
+            self.assertEqual(1, len(budgets.check_wings(tree_of(**files))), "the ratchet")
+        finally:
+            budgets.MAX_LINES = limits
 
 
 class Names(unittest.TestCase):

@@ -6,7 +6,7 @@
   ./run bench ablation          or: tools/train/ablation.py [SAMPLES.csv] [-o FILE.json]
 
 In-sample with the door model as it is; then each building with a model trained without it, from
-samples of build/release/bench/micro_doors. Prints each map as it is, left out, and the table; keeps all scores in build/ablation.
+samples of build/release/bench/measure_doors. Prints each map as it is, left out, and the table; keeps all scores in build/ablation.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 MAPS = ROOT / "../shared/data/rooms"
 BENCH = ROOT / "build/release/bench"
-TREES = ROOT / "src/quadcut/segment/door_trees.cpp"
+TREES = ROOT / "src/quadcut/rooms/door_trees.cpp"
 OUT = ROOT / "build/ablation"
 KINDS = ("plain", "furnished", "kth", "simulated")
 NUM_SIMULATED = 72
@@ -32,7 +32,7 @@ def run(*command):
 
 
 def build():
-    run("cmake", "--build", "build/release", "--target", "micro_ablation")
+    run("cmake", "--build", "build/release", "--target", "measure_ablation")
 
 
 def scores(path):
@@ -99,7 +99,7 @@ def main():
     samples = options.samples.resolve()
     if not samples.exists():
         print("collecting decisions: about ten minutes", file=sys.stderr)
-        run(BENCH / "micro_doors", "-o", samples, "--buildings", "600")
+        run(BENCH / "measure_doors", "-o", samples, "--buildings", "600")
     else:
         print("decisions of", time.strftime("%Y-%m-%d %H:%M", time.localtime(
             samples.stat().st_mtime)), "from", samples, file=sys.stderr)
@@ -112,11 +112,11 @@ def main():
             run("/usr/bin/python3", ROOT / "tools/train/door_model.py", samples, "--leave-out",
                 building)
             build()
-            run(BENCH / "micro_ablation", building, "-o", OUT / f"without_{building}.json")
+            run(BENCH / "measure_ablation", building, "-o", OUT / f"without_{building}.json")
     finally:
         TREES.write_text(trees)
         build()
-    run(BENCH / "micro_ablation", "--simulated", NUM_SIMULATED, "-o", OUT / "in_sample.json")
+    run(BENCH / "measure_ablation", "--simulated", NUM_SIMULATED, "-o", OUT / "in_sample.json")
 
     in_sample = scores(OUT / "in_sample.json")
     left_out = [row for building in buildings

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
-"""Trains the door model: decisions in, src/quadcut/segment/door_trees.cpp out.
+"""Trains the door model: decisions in, src/quadcut/rooms/door_trees.cpp out.
 
-  build/release/bench/micro_doors -o build/doors.csv --buildings 600
+  build/release/bench/measure_doors -o build/doors.csv --buildings 600
   tools/train/door_model.py build/doors.csv                         writes the trees
   tools/train/door_model.py build/doors.csv --leave-out NAME -o F   without the maps of one building
 
@@ -26,7 +26,7 @@ NUM_LEAVES = 6
 HAND_MADE = {"plain": 10.0, "furnished": 10.0, "kth": 10.0,
              "plain changed": 0.5, "furnished changed": 0.5, "kth changed": 0.5}
 LEARNING_RATE = 0.2
-TREES = Path(__file__).parents[2] / "src/quadcut/segment/door_trees.cpp"
+TREES = Path(__file__).parents[2] / "src/quadcut/rooms/door_trees.cpp"
 
 # More of these never makes a door less likely.
 RISING = ("r_peak_", "_wall_", "widening_")
@@ -34,7 +34,7 @@ RISING = ("r_peak_", "_wall_", "widening_")
 HEAD = """// SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // Written by tools/train/door_model.py.
-#include "quadcut/segment/door_trees.hpp"
+#include "quadcut/rooms/door_trees.hpp"
 
 namespace quadcut {
 

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,6 +16,13 @@ struct Choice {
     std::uint8_t* value = nullptr;
     std::vector<std::string_view> words;
 };
+
+/// The enumerators' order is the words' order.
+template <typename Enum>
+Choice choice(Enum& value, std::vector<std::string_view> words) {
+    static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);
+    return {reinterpret_cast<std::uint8_t*>(&value), std::move(words)};
+}
 
 /// One option of a stage: where its value lives, and all that is said about it anywhere: on the
 /// command line, in files, in docs/options.md. The default is the value in the options struct.

@@ -26,4 +26,17 @@ struct Leaf {
     friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
+/// A point of the lattice of half cells: cell (x, y) covers [2x, 2x + 2] x [2y, 2y + 2]. The centre
+/// of every leaf is such a point, so that sight between leaves is decided without rounding.
+struct HalfCell {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    friend bool operator==(const HalfCell&, const HalfCell&) = default;
+};
+
+[[nodiscard]] inline HalfCell centre(const Leaf& leaf) {
+    return {2 * std::int64_t{leaf.lower_left.x} + leaf.side_cells(),
+            2 * std::int64_t{leaf.lower_left.y} + leaf.side_cells()};
+}
+
 }  // namespace quadcut

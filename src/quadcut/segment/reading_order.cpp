@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "quadcut/map/line_walk.hpp"
-#include "quadcut/segment/describe.hpp"
-#include "quadcut/segment/label_tally.hpp"
+#include "quadcut/rooms/describe.hpp"
+#include "quadcut/rooms/label_tally.hpp"
 
 namespace quadcut {
 namespace {

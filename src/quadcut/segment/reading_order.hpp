@@ -8,7 +8,7 @@
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/layout.hpp"
 #include "quadcut/map/raster.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
-#include "quadcut/graph/visibility.hpp"
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/segment/describe.hpp"
-#include "quadcut/segment/doors.hpp"
-#include "quadcut/segment/find_submaps.hpp"
-#include "quadcut/segment/free_leaves.hpp"
+#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/paper/visibility.hpp"
+#include "quadcut/rooms/describe.hpp"
+#include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/pieces.hpp"
+#include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
-#include "quadcut/segment/pieces.hpp"
 #include "quadcut/segment/reading_order.hpp"
-#include "quadcut/segment/rooms.hpp"
 
 namespace quadcut {
 namespace {
@@ -78,7 +78,8 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
-                                  options, clock, executor, result.report, hierarchy);
+                                  options.rooms, options.seed, clock, executor, hierarchy);
+    static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {
         Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);

@@ -8,7 +8,7 @@
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/options.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 

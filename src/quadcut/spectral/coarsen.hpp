@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 
 namespace quadcut {
 

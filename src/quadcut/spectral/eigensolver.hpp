@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "quadcut/graph/accelerator.hpp"
+#include "quadcut/spectral/accelerator.hpp"
 
 namespace quadcut {
 namespace {

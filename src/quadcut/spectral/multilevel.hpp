@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/graph/graph.hpp"
+#include "quadcut/spectral/graph.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {

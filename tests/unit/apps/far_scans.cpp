@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/segment/follow.hpp"
+#include "quadcut/follow/follower.hpp"
 
 namespace quadcut {
 namespace {

@@ -57,8 +57,8 @@ TEST(GalleryPicture, ShowsMatchesInOneColourAndMarksErrors) {
     const auto color_at = [](const Exhibit& shown, double column, bool of_result) {
         const PairPicture picture(shown);
         const double scale = picture.pixels_per_cell(1000.0, 1000.0);
-        io::Canvas canvas(1000, 400, io::kPaper);
-        picture.draw(canvas, {0.0, 0.0}, scale, io::Typeface());
+        draw::Canvas canvas(1000, 400, draw::kPaper);
+        picture.draw(canvas, {0.0, 0.0}, scale, draw::Typeface());
         const double left = of_result ? picture.pane_width(scale) + PairPicture::kGap : 0.0;
         return canvas.at(static_cast<std::int32_t>(left + column * 20.0 * scale),
                          static_cast<std::int32_t>(2.85 * 20.0 * scale));

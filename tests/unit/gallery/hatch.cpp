@@ -9,7 +9,7 @@ namespace {
 
 TEST(GalleryHatch, FillsThePolygonButNotItsHole) {
     constexpr io::Rgb kWhite{255, 255, 255};
-    io::Canvas canvas(100, 100, kWhite);
+    draw::Canvas canvas(100, 100, kWhite);
     const std::vector<std::vector<Point>> square_with_hole = {
         {{10, 10}, {90, 10}, {90, 90}, {10, 90}}, {{30, 30}, {30, 70}, {70, 70}, {70, 30}}};
     canvas.fill(hatch(square_with_hole, 8.0, 1.0), {0, 0, 0});

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/segmentation.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut::io::test {
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/results.hpp"
+#include "io/room_colors.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 
 namespace quadcut::io {

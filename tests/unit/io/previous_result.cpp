@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/results.hpp"
 #include "io/image.hpp"
-#include "io/results.hpp"
 #include "quadcut/base/error.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 #include "tests/unit/io/scratch.hpp"
@@ -135,7 +135,7 @@ TEST(PreviousResult, RefusesAnImageThatDoesNotFitTheLegend) {
 
 /// The rooms of `floor` as a result, read back.
 PreviousResult written(const ScratchFolder& folder, const DrawnFloor& floor) {
-    write_results(folder.path() / "out", floor.map, floor.segmentation, {});
+    formats::write_results(folder.path() / "out", floor.map, floor.segmentation, {});
     return read_previous_result(folder.path() / "out");
 }
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/results.hpp"
+#include "formats/results.hpp"
 #include "io/room_text.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 #include "tests/unit/io/scratch.hpp"
@@ -34,7 +34,7 @@ TEST(StoredResult, IsWhatWasWritten) {
     const test::DrawnFloor floor = two_rooms();
     RunInfo info;
     info.input = "home.yaml";
-    write_results(folder.path(), floor.map, floor.segmentation, info);
+    formats::write_results(folder.path(), floor.map, floor.segmentation, info);
     const StoredResult stored = read_stored_result(folder.path());
     EXPECT_EQ(stored.rooms.labels.values, floor.segmentation.labels.values);
     ASSERT_EQ(stored.rooms.rooms.size(), 2U);

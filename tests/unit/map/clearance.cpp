@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/random.hpp"
-#include "tests/unit/segment/drawing.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {
 namespace {

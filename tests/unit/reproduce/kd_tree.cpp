@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/kd_tree.hpp"
+#include "reproduce/kd_tree.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/flat_grid.hpp"
-#include "bench/pointer_quadtree.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "reproduce/flat_grid.hpp"
+#include "reproduce/pointer_quadtree.hpp"
 
 namespace quadcut {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/reproduce/partition.hpp"
+#include "reproduce/partition.hpp"
 
 #include <set>
 #include <string>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/reproduce/position_clusters.hpp"
-#include "tests/unit/segment/drawing.hpp"
+#include "reproduce/position_clusters.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut::reproduce {
 namespace {

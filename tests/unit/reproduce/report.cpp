@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/reproduce/report.hpp"
+#include "reproduce/report.hpp"
 
 #include <limits>
 #include <string>

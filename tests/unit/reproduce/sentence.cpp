@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/reproduce/sentence.hpp"
+#include "reproduce/sentence.hpp"
 
 #include <gtest/gtest.h>
 

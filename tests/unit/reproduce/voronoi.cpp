@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "bench/reproduce/voronoi.hpp"
+#include "reproduce/voronoi.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/segment/drawing.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut::reproduce {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/segment/describe.hpp"
-#include "tests/unit/segment/drawing.hpp"
+#include "quadcut/rooms/describe.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {
 namespace {

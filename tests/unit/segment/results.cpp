@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/segment/describe.hpp"
-#include "quadcut/segment/doors.hpp"
+#include "quadcut/rooms/describe.hpp"
+#include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/regions.hpp"
 #include "quadcut/segment/inside.hpp"
-#include "quadcut/segment/regions.hpp"
-#include "tests/unit/segment/drawing.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {
 namespace {

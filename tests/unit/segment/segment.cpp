@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/segment/inside.hpp"
-#include "tests/unit/segment/drawing.hpp"
+#include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/graph/fake_accelerator.hpp"
+#include "tests/unit/spectral/fake_accelerator.hpp"
 #include "tests/unit/spectral/test_graphs.hpp"
 
 namespace quadcut {

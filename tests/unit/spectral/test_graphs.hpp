@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "quadcut/base/random.hpp"
-#include "quadcut/graph/graph.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/spectral/graph.hpp"
 
 namespace quadcut::test {
 

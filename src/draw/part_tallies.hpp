@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/map/connected_parts.hpp"
+#include "quadcut/map/raster.hpp"
+
+namespace quadcut::draw {
+
+/// A rectangle of cells as it grows; empty at first.
+struct CellBounds {
+    Cell low{INT32_MAX, INT32_MAX};
+    Cell high{INT32_MIN, INT32_MIN};
+
+    void add(std::int32_t x, std::int32_t y) {
+        low = {std::min(low.x, x), std::min(low.y, y)};
+        high = {std::max(high.x, x), std::max(high.y, y)};
+    }
+    [[nodiscard]] bool empty() const { return high.x < low.x; }
+};
+
+/// The bounds of each part, as columns and rows of the raster; nothing at 0. O(runs).
+[[nodiscard]] std::vector<CellBounds> bounds_of(const ConnectedParts& parts);
+
+/// What lies along the border of a 4-connected region. There may be as many as half the cells.
+struct BorderTally {
+    std::uint32_t num_cells = 0;
+    std::uint32_t num_edges = 0;
+    std::uint32_t num_room_edges = 0;
+    std::uint32_t num_wall_edges = 0;
+};
+
+/// The borders of the 4-connected parts of a mask of `ground` that are `wanted`; nothing at 0.
+/// O(cells of those). @pre no cell of the mask is of a room or a wall.
+[[nodiscard]] std::vector<BorderTally> tally_borders(const Raster<std::uint16_t>& ground,
+                                                     const Raster<std::uint8_t>& mask,
+                                                     const ConnectedParts& parts,
+                                                     const std::vector<bool>& wanted);
+
+}  // namespace quadcut::draw

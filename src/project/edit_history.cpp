@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "project/edit_history.hpp"
+
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "io/file.hpp"
+#include "project/project_rows.hpp"
+#include "quadcut/base/error.hpp"
+
+namespace quadcut::store {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStates{"done", "undone", "dropped", "fixed"};
+constexpr std::array<std::string_view, 3> kBorders{"none", "part", "join"};
+
+/// The place of a word.
+template <std::size_t kSize>
+std::size_t place_of(const std::array<std::string_view, kSize>& words, const std::string& word,
+                     const Database& database) {
+    for (std::size_t i = 0; i < kSize; ++i) {
+        if (words[i] == word) return i;
+    }
+    throw InputError(io::display_name(database.path()) + ": table undo: '" + word + "' cannot be");
+}
+
+std::uint32_t room_at(const Statement& row, int column) {
+    return static_cast<std::uint32_t>(row.integer(column, 0, kMaxRoom));
+}
+
+void forget_inverse(const Database& database, std::int64_t number) {
+    for (const char* table : {"undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+        Statement(database, std::string("DELETE FROM ") + table + " WHERE edit = ?")
+            .bind(1, number)
+            .run();
+    }
+}
+
+void write_state(const Database& database, std::int64_t number, EditState state,
+                 Edit::Border border) {
+    Statement(database, "INSERT INTO undo VALUES(?, ?, ?)")
+        .bind(1, number)
+        .bind(2, kStates.at(static_cast<std::size_t>(state)))
+        .bind(3, kBorders.at(static_cast<std::size_t>(border)))
+        .run();
+}
+
+Edit::Border read_border(const Database& database, std::int64_t number) {
+    Statement row(database, "SELECT border FROM undo WHERE edit = ?");
+    row.bind(1, number);
+    if (!row.step()) return Edit::Border::none;
+    return static_cast<Edit::Border>(place_of(kBorders, row.text(0), database));
+}
+
+}  // namespace
+
+std::vector<EditRecord> read_edits(const Database& database) {
+    const bool has_undo = database.pragma("user_version") >= 2;
+    const std::string state = has_undo ? "coalesce(undo.state, 'fixed')" : "'fixed'";
+    const std::string join = has_undo ? " LEFT JOIN undo ON undo.edit = seq" : "";
+    Statement row(database,
+                  "SELECT kind, room, other, name, from_x, from_y, to_x, to_y, seq, scan, " +
+                      state + " FROM edits" + join + " ORDER BY seq");
+    std::vector<EditRecord> edits;
+    while (row.step()) {
+        EditRecord edit;
+        edit.kind = row.text(0);
+        edit.room = RoomId{room_at(row, 1)};
+        edit.other = RoomId{room_at(row, 2)};
+        edit.name = row.text(3);
+        edit.line = {cell_at(row, 4), cell_at(row, 6)};
+        edit.number = row.integer(8, 1, std::numeric_limits<std::int64_t>::max());
+        edit.scan = static_cast<std::size_t>(row.integer(9, 0, std::int64_t{1} << 53));
+        edit.state = static_cast<EditState>(place_of(kStates, row.text(10), database));
+        edits.push_back(std::move(edit));
+    }
+    return edits;
+}
+
+void write_edit(const Database& database, const EditRecord& record, const Edit& inverse) {
+    for (const EditRecord& earlier : read_edits(database)) {
+        if (earlier.state != EditState::undone) continue;
+        forget_inverse(database, earlier.number);
+        write_state(database, earlier.number, EditState::dropped, Edit::Border::none);
+    }
+    Statement insert(database,
+                     "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
+                     "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(1, static_cast<std::int64_t>(record.scan))
+        .bind(2, std::string_view(record.kind))
+        .bind(3, static_cast<std::int64_t>(index(record.room)))
+        .bind(4, static_cast<std::int64_t>(index(record.other)))
+        .bind(5, std::string_view(record.name));
+    bind_cell(insert, 6, record.line.from);
+    bind_cell(insert, 8, record.line.to);
+    insert.run();
+    Statement last(database, "SELECT last_insert_rowid()");
+    last.step();
+    write_inverse(database, last.integer(0, 1, std::numeric_limits<std::int64_t>::max()),
+                  EditState::done, inverse);
+}
+
+Edit read_inverse(const Database& database, const EditRecord& record) {
+    Edit edit;
+    edit.room = record.room;
+    edit.other = record.other;
+    edit.border = read_border(database, record.number);
+    Statement room(database,
+                   "SELECT room, name, merge_group, locked FROM undo_rooms WHERE edit = ?");
+    room.bind(1, record.number);
+    while (room.step()) {
+        edit.settings[room_at(room, 0)] = {room.text(1), room_at(room, 2),
+                                           room.integer(3, 0, 1) != 0};
+    }
+    Statement cells(database, "SELECT x, y, cells FROM undo_cells WHERE edit = ?");
+    cells.bind(1, record.number);
+    while (cells.step()) {
+        const Cell tile = cell_at(cells, 0);
+        edit.cells[{tile.x, tile.y}] = static_cast<std::uint64_t>(cells.integer(
+            2, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
+    }
+    Statement line(database, "SELECT from_x, from_y, to_x, to_y FROM undo_lines WHERE edit = ?");
+    line.bind(1, record.number);
+    while (line.step()) edit.lines.push_back({cell_at(line, 0), cell_at(line, 2)});
+    return edit;
+}
+
+void write_inverse(const Database& database, std::int64_t number, EditState state,
+                   const Edit& inverse) {
+    forget_inverse(database, number);
+    write_state(database, number, state, inverse.border);
+    Statement room(database, "INSERT INTO undo_rooms VALUES(?, ?, ?, ?, ?)");
+    for (const auto& [id, settings] : inverse.settings) {
+        room.bind(1, number)
+            .bind(2, std::int64_t{id})
+            .bind(3, std::string_view(settings.name))
+            .bind(4, std::int64_t{settings.merge_group})
+            .bind(5, std::int64_t{settings.is_locked})
+            .run();
+    }
+    Statement cells(database, "INSERT INTO undo_cells VALUES(?, ?, ?, ?)");
+    for (const auto& [tile, bits] : inverse.cells) {
+        cells.bind(1, number);
+        bind_cell(cells, 2, {tile.first, tile.second});
+        cells.bind(4, static_cast<std::int64_t>(bits)).run();
+    }
+    Statement line(database, "INSERT INTO undo_lines VALUES(?, ?, ?, ?, ?)");
+    for (const SplitLine& one : inverse.lines) {
+        line.bind(1, number);
+        bind_cell(line, 2, one.from);
+        bind_cell(line, 4, one.to);
+        line.run();
+    }
+}
+
+}  // namespace quadcut::store

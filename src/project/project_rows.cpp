@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "project/project_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "io/file.hpp"
+#include "quadcut/base/error.hpp"
+
+namespace quadcut::store {
+namespace {
+
+/// As OccupancyMap's cells.
+constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 28;
+constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
+
+/// A tile whose x is in the given column and whose y is in the next.
+Cell tile_at(const Statement& row, int column) {
+    constexpr std::int64_t kMaxTile = kMaxCoordinate / kTileSide;
+    return {static_cast<std::int32_t>(row.integer(column, -kMaxTile, kMaxTile)),
+            static_cast<std::int32_t>(row.integer(column + 1, -kMaxTile, kMaxTile))};
+}
+
+std::int64_t signed_count(std::size_t count) { return static_cast<std::int64_t>(count); }
+
+/// One byte, or 64, when not all are the same.
+std::string bytes_of(const Tile& tile) {
+    std::string bytes;
+    for (const std::int8_t value : tile.values) bytes += static_cast<char>(value);
+    const bool is_uniform =
+        std::all_of(bytes.begin(), bytes.end(), [&](char byte) { return byte == bytes.front(); });
+    return is_uniform ? bytes.substr(0, 1) : bytes;
+}
+
+/// Four bytes a cell, the lowest first; one cell, or 64, when not all are the same.
+std::string bytes_of(const std::array<std::uint32_t, kTileCells>& rooms) {
+    const bool is_uniform = std::all_of(rooms.begin(), rooms.end(),
+                                        [&](std::uint32_t room) { return room == rooms.front(); });
+    std::string bytes;
+    for (std::size_t i = 0; i < (is_uniform ? 1 : kTileCells); ++i) {
+        for (int shift = 0; shift < 32; shift += 8) {
+            bytes += static_cast<char>(rooms[i] >> shift & 0xffU);
+        }
+    }
+    return bytes;
+}
+
+[[noreturn]] void refuse_size(const Database& database, const std::string& column,
+                              std::size_t size) {
+    throw InputError(io::display_name(database.path()) + ": table tiles, " + column + " of " +
+                     std::to_string(size) + " bytes: expected those of one cell or of 64");
+}
+
+void read_log_odds(const Database& database, const std::string& bytes, Tile& tile) {
+    if (bytes.size() != 1 && bytes.size() != kTileCells) {
+        refuse_size(database, "log_odds", bytes.size());
+    }
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        tile.values[i] = static_cast<std::int8_t>(bytes[bytes.size() == 1 ? 0 : i]);
+    }
+}
+
+void read_rooms(const Database& database, const std::string& bytes, RoomTile& tile) {
+    if (bytes.size() != 4 && bytes.size() != 4 * kTileCells) {
+        refuse_size(database, "rooms", bytes.size());
+    }
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+        const std::size_t from = bytes.size() == 4 ? 0 : 4 * i;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto byte = static_cast<unsigned char>(bytes[from + k]);
+            tile.rooms[i] |= std::uint32_t{byte} << (8 * k);
+        }
+    }
+}
+
+void write_tiles(const Database& database, const FollowerState& state) {
+    Statement insert(database, "INSERT OR REPLACE INTO tiles VALUES(?, ?, ?, ?, ?)");
+    for (const FollowedTile& tile : state.tiles) {
+        const std::string log_odds = bytes_of(tile.log_odds);
+        const std::string rooms = bytes_of(tile.rooms.rooms);
+        insert.bind(1, std::int64_t{tile.tile.x})
+            .bind(2, std::int64_t{tile.tile.y})
+            .bind_bytes(3, log_odds)
+            .bind_bytes(4, rooms)
+            .bind(5, static_cast<std::int64_t>(tile.rooms.cut_free))
+            .run();
+    }
+}
+
+void write_rooms(const Database& database, const FollowerState& state, double cell_m2) {
+    Statement(database, "DELETE FROM rooms").run();
+    Statement insert(database, "INSERT INTO rooms VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const auto& [id, room] : state.rooms) {
+        insert.bind(1, std::int64_t{id})
+            .bind(2, std::string_view(room.name))
+            .bind(3, std::int64_t{room.merge_group})
+            .bind(4, std::int64_t{room.is_locked})
+            .bind(5, static_cast<double>(room.num_cells) * cell_m2)
+            .bind(6, room.peak_m);
+        bind_cell(insert, 7, room.box.low);
+        bind_cell(insert, 9, room.box.high);
+        insert.bind(11, room.announced_m2)
+            .bind(12, signed_count(room.decided_cells))
+            .bind(13, signed_count(room.next_block))
+            .run();
+    }
+}
+
+void write_doors(const Database& database, const FollowerState& state) {
+    Statement(database, "DELETE FROM doors").run();
+    Statement insert(database,
+                     "INSERT INTO doors(room_a, room_b, ax, ay, bx, by, clearance_m) "
+                     "VALUES(?, ?, ?, ?, ?, ?, ?)");
+    for (const LocalOpening& opening : state.openings) {
+        insert.bind(1, std::int64_t{opening.room_a}).bind(2, std::int64_t{opening.room_b});
+        bind_cell(insert, 3, opening.a);
+        bind_cell(insert, 5, opening.b);
+        insert.bind(7, static_cast<double>(opening.clearance_m)).run();
+    }
+}
+
+void write_rest(const Database& database, const FollowerState& state) {
+    Statement(database, "DELETE FROM changes").run();
+    Statement change(database, "INSERT INTO changes VALUES(?, ?, ?)");
+    for (const auto& [tile, count] : state.changed_tiles) {
+        bind_cell(change, 1, tile);
+        change.bind(3, signed_count(count)).run();
+    }
+    Statement(database, "DELETE FROM seen").run();
+    Statement seen(database, "INSERT INTO seen VALUES(?)");
+    for (const std::uint32_t room : state.seen) seen.bind(1, std::int64_t{room}).run();
+    Statement(database, "DELETE FROM split_lines").run();
+    Statement split(database,
+                    "INSERT INTO split_lines(from_x, from_y, to_x, to_y) VALUES(?, ?, ?, ?)");
+    for (const SplitLine& line : state.split_lines) {
+        bind_cell(split, 1, line.from);
+        bind_cell(split, 3, line.to);
+        split.run();
+    }
+    Statement meta(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)");
+    const auto write = [&](std::string_view key, std::int64_t value) {
+        meta.bind(1, key).bind(2, value).run();
+    };
+    write("root_level", state.root ? state.root->level : 0);
+    write("root_x", state.root ? state.root->lower_left.x : 0);
+    write("root_y", state.root ? state.root->lower_left.y : 0);
+    write("low_x", state.written.low.x);
+    write("low_y", state.written.low.y);
+    write("high_x", state.written.high.x);
+    write("high_y", state.written.high.y);
+    write("num_scans", signed_count(state.num_scans));
+    write("next_id", state.next_id);
+    write("num_left_over", signed_count(state.num_left_over));
+    write("cut_at", signed_count(state.cut_at));
+}
+
+std::map<std::string, std::int64_t> read_numbers(const Database& database) {
+    std::map<std::string, std::int64_t> numbers;
+    for (const char* key : {"root_level", "root_x", "root_y", "low_x", "low_y", "high_x", "high_y",
+                            "num_scans", "next_id", "num_left_over", "cut_at"}) {
+        Statement row(database, "SELECT value FROM meta WHERE key = ?");
+        row.bind(1, std::string_view(key));
+        if (!row.step()) {
+            throw InputError(io::display_name(database.path()) +
+                             ": is incomplete: expected a row '" + key + "' in its table meta");
+        }
+        numbers[key] = row.integer(0, -4 * kMaxCoordinate, kMaxCount);
+    }
+    return numbers;
+}
+
+void read_meta(const Database& database, FollowerState& state) {
+    const std::map<std::string, std::int64_t> numbers = read_numbers(database);
+    const auto number = [&](const char* key, std::int64_t low, std::int64_t high) {
+        const std::int64_t value = numbers.at(key);
+        if (value < low || value > high) {
+            throw InputError(io::display_name(database.path()) + ": table meta, " + key + ": " +
+                             std::to_string(value) + " cannot be");
+        }
+        return value;
+    };
+    const auto coordinate = [&](const char* key, std::int64_t limit) {
+        return static_cast<std::int32_t>(number(key, -limit, limit));
+    };
+    const auto count = [&](const char* key) {
+        return static_cast<std::size_t>(number(key, 0, kMaxCount));
+    };
+    const auto level = static_cast<std::uint8_t>(number("root_level", 0, 30));
+    if (level > 0) {
+        state.root = Root{
+            {coordinate("root_x", 4 * kMaxCoordinate), coordinate("root_y", 4 * kMaxCoordinate)},
+            level};
+    }
+    state.written = {{coordinate("low_x", kMaxCoordinate), coordinate("low_y", kMaxCoordinate)},
+                     {coordinate("high_x", kMaxCoordinate), coordinate("high_y", kMaxCoordinate)}};
+    state.num_scans = count("num_scans");
+    state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
+    state.num_left_over = count("num_left_over");
+    state.cut_at = count("cut_at");
+}
+
+void read_rooms_table(const Database& database, FollowerState& state) {
+    Statement row(database,
+                  "SELECT id, name, merge_group, locked, peak_m, low_x, low_y, high_x, high_y, "
+                  "announced_m2, decided_cells, next_block FROM rooms ORDER BY id");
+    while (row.step()) {
+        FollowedRoom room;
+        room.name = row.text(1);
+        room.merge_group = static_cast<std::uint32_t>(row.integer(2, 0, kMaxRoom));
+        room.is_locked = row.integer(3, 0, 1) != 0;
+        room.peak_m = row.number(4);
+        room.box = {cell_at(row, 5), cell_at(row, 7)};
+        room.announced_m2 = row.number(9);
+        room.decided_cells = static_cast<std::size_t>(row.integer(10, 0, kMaxCount));
+        room.next_block = static_cast<std::size_t>(row.integer(11, 0, kMaxCount));
+        state.rooms[static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))] = room;
+    }
+}
+
+void read_lists(const Database& database, FollowerState& state) {
+    Statement door(database,
+                   "SELECT ax, ay, bx, by, clearance_m, room_a, room_b FROM doors ORDER BY seq");
+    while (door.step()) {
+        state.openings.push_back({cell_at(door, 0), cell_at(door, 2),
+                                  static_cast<float>(std::clamp(door.number(4), 0.0, 1e6)),
+                                  static_cast<std::uint32_t>(door.integer(5, 0, kMaxRoom)),
+                                  static_cast<std::uint32_t>(door.integer(6, 0, kMaxRoom))});
+    }
+    Statement change(database, "SELECT x, y, cells FROM changes ORDER BY x, y");
+    while (change.step()) {
+        state.changed_tiles.emplace_back(
+            tile_at(change, 0),
+            static_cast<std::size_t>(change.integer(2, 1, std::int64_t{kTileCells})));
+    }
+    Statement seen(database, "SELECT room FROM seen");
+    while (seen.step()) {
+        state.seen.insert(static_cast<std::uint32_t>(seen.integer(0, 1, kMaxRoom)));
+    }
+    Statement split(database, "SELECT from_x, from_y, to_x, to_y FROM split_lines ORDER BY seq");
+    while (split.step()) state.split_lines.push_back({cell_at(split, 0), cell_at(split, 2)});
+}
+
+}  // namespace
+
+void bind_cell(Statement& statement, int place, Cell cell) {
+    statement.bind(place, std::int64_t{cell.x}).bind(place + 1, std::int64_t{cell.y});
+}
+
+Cell cell_at(const Statement& row, int column) {
+    return {static_cast<std::int32_t>(row.integer(column, -kMaxCoordinate, kMaxCoordinate)),
+            static_cast<std::int32_t>(row.integer(column + 1, -kMaxCoordinate, kMaxCoordinate))};
+}
+
+void write_state(const Database& database, const FollowerState& state) {
+    write_tiles(database, state);
+    write_rooms(database, state, state.cell_m2);
+    write_doors(database, state);
+    write_rest(database, state);
+}
+
+FollowerState read_state(const Database& database) {
+    FollowerState state;
+    read_meta(database, state);
+    read_rooms_table(database, state);
+    read_lists(database, state);
+    Statement row(database, "SELECT x, y, log_odds, rooms, cut_free FROM tiles ORDER BY y, x");
+    while (row.step()) {
+        FollowedTile tile{tile_at(row, 0), {}, {}};
+        read_log_odds(database, row.bytes(2), tile.log_odds);
+        read_rooms(database, row.bytes(3), tile.rooms);
+        tile.rooms.cut_free = static_cast<std::uint64_t>(row.integer(
+            4, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
+        state.tiles.push_back(tile);
+    }
+    return state;
+}
+
+}  // namespace quadcut::store

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quadcut/base/ids.hpp"
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/spectral/graph.hpp"
+
+namespace quadcut {
+
+/// Rule 1 of the paper, "each node has max relevance in itself": the weight of a node's edge to
+/// itself.
+enum class SelfLoops : std::uint8_t {
+    /// No loop.
+    none,
+    /// Eq. (2) with i = j: half the node's side.
+    own_weight,
+    /// The largest weight that eq. (2) gives to any pair of the nodes: half the largest side.
+    largest_weight,
+};
+
+/// The weight of the edge between two leaves of these sides, eq. (2), metres.
+[[nodiscard]] double sight_weight(double side_i_m, double side_j_m);
+
+/// The edges of the paper's graph G over a region of the map (Algorithm 2): pairs of leaves at most
+/// Th apart, eq. (3), that see each other, criterion 1 as in BlockedCells, with the weight of
+/// eq. (2), metres. Edge ends are positions in `nodes`; the coarser leaf comes first (rule 2; of
+/// two equal ones the earlier), pairs ascend, each is there once.
+///
+/// `nodes` are free leaves of the table, ascending; every leaf of the table stands in the way or
+/// lets sight pass, in the region or not. The same bytes on any number of threads.
+/// Time O(leaves within 2.1 sides of each node + cells crossed), memory O(edges + cells of the
+/// region's bounding box / 32). Throws std::logic_error if `nodes` is not as said.
+[[nodiscard]] std::vector<WeightedEdge> sight_edges(const LeafTable& table,
+                                                    std::span<const LeafId> nodes,
+                                                    double resolution_m,
+                                                    SelfLoops self_loops = SelfLoops::none,
+                                                    const Executor& executor = {});
+
+}  // namespace quadcut

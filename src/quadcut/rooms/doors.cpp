@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/doors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "quadcut/map/morton.hpp"
+#include "quadcut/rooms/contacts.hpp"
+#include "quadcut/rooms/door_model.hpp"
+#include "quadcut/rooms/region_graph.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr std::size_t kOpeningsPerChunk = 4;
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+using Contacts = std::map<Pair, std::vector<Contact>>;
+
+Contacts find_contacts(const Raster<std::uint32_t>& labels, const Executor& executor) {
+    Contacts all;
+    for (Contacts& part : for_each_contact<Contacts>(
+             labels, executor, [](std::vector<Contact>&contacts, const Contact&contact) {
+                 contacts.push_back(contact);
+             })) {
+        for (auto& [pair, contacts] : part) {
+            std::vector<Contact>& joined = all[pair];
+            joined.insert(joined.end(), contacts.begin(), contacts.end());
+        }
+    }
+    return all;
+}
+
+/// Splits the contacts of two regions into openings: contacts that follow each other without a gap.
+std::vector<std::vector<Contact>> split_into_openings(const std::vector<Contact>& contacts) {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> by_cell;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        by_cell[{contacts[i].a.y, contacts[i].a.x}].push_back(i);
+    }
+    std::vector<bool> seen(contacts.size(), false);
+    std::vector<std::vector<Contact>> openings;
+    for (std::size_t seed = 0; seed < contacts.size(); ++seed) {
+        if (seen[seed]) continue;
+        std::vector<std::size_t> members{seed};
+        seen[seed] = true;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const Cell at = contacts[members[i]].a;
+            for (std::int32_t dy = -2; dy <= 2; ++dy) {
+                for (std::int32_t dx = -2; dx <= 2; ++dx) {
+                    const auto found = by_cell.find({at.y + dy, at.x + dx});
+                    if (found == by_cell.end()) continue;
+                    for (const std::size_t next : found->second) {
+                        if (seen[next]) continue;
+                        seen[next] = true;
+                        members.push_back(next);
+                    }
+                }
+            }
+        }
+        std::sort(members.begin(), members.end());
+        std::vector<Contact> opening;
+        for (const std::size_t member : members) opening.push_back(contacts[member]);
+        openings.push_back(std::move(opening));
+    }
+    return openings;
+}
+
+Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& clearance) {
+    Saddle widest;
+    for (const Contact& contact : opening) {
+        const float height = std::min(clearance.at(contact.a), clearance.at(contact.b));
+        if (height > widest.clearance_m) widest = {contact.a, contact.b, height, opening.size()};
+    }
+    return widest;
+}
+
+/// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies
+/// on average there, not on the face that is turned to the opening.
+Point jamb_point(Cell jamb, const LaidOutFrame& frame) {
+    return frame.in_map({jamb.x + 0.5, jamb.y + 0.5});
+}
+
+/// Without jambs on both sides the ends of the contact stand for them.
+std::array<Cell, 2> ends_of(const std::vector<Contact>& opening) {
+    const Cell first = opening.front().a;
+    Cell end = first;
+    const auto squared = [](Cell p, Cell q) {
+        const double dx = p.x - q.x;
+        const double dy = p.y - q.y;
+        return dx * dx + dy * dy;
+    };
+    for (const Contact& contact : opening) {
+        if (squared(contact.a, first) > squared(end, first)) end = contact.a;
+    }
+    return {first, end};
+}
+
+/// One opening with the door that it is; empty where nothing fits through.
+struct Found {
+    Pair pair;
+    std::vector<Contact> contacts;
+    std::optional<Door> door;
+};
+
+std::optional<Door> measure_door(const Found& opening, const RegionGraph& regions,
+                                 const Raster<float>& clearance_m, const LaidOutFrame& frame,
+                                 NarrowingGauge& gauge) {
+    const Saddle saddle = widest_contact(opening.contacts, clearance_m);
+    if (saddle.clearance_m <= 0.0F) return std::nullopt;
+    const auto [a, b] = opening.pair;
+    const Narrowing narrowing = regions.measure_at(saddle, a, b, gauge);
+    const std::array<Cell, 2> jambs =
+        narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening.contacts);
+    Door door;
+    door.a = RoomId{a};
+    door.b = RoomId{b};
+    door.jamb_1 = jamb_point(jambs[0], frame);
+    door.jamb_2 = jamb_point(jambs[1], frame);
+    door.width_m = distance(door.jamb_1, door.jamb_2);
+    // The saddle's cell a is in the region with the smaller label.
+    const double narrower_m = 2.0 * narrowing.narrower.peak_m.back();
+    const double wider_m = 2.0 * narrowing.wider.peak_m.back();
+    door.room_a_width_m = narrowing.is_a_narrower ? narrower_m : wider_m;
+    door.room_b_width_m = narrowing.is_a_narrower ? wider_m : narrower_m;
+    door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
+    return door;
+}
+
+}  // namespace
+
+std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
+                             const Raster<float>& clearance_m, const LaidOutFrame& frame,
+                             double min_width_m, const Executor& executor) {
+    std::vector<Found> openings;
+    BorderSaddles saddles;
+    for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
+        saddles.emplace(pair, widest_contact(contacts, clearance_m));
+        for (auto& opening : split_into_openings(contacts)) {
+            openings.push_back({pair, std::move(opening), std::nullopt});
+        }
+    }
+    const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m,
+                              executor);
+    std::vector<Found*> order;
+    for (Found& opening : openings) order.push_back(&opening);
+    const auto block = [box = labels.box()](const Found* opening) {
+        return block_code(opening->contacts.front().a, box);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](const Found* p, const Found* q) { return block(p) < block(q); });
+    parallel_for(
+        executor, order.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
+            NarrowingGauge gauge(clearance_m, frame.resolution_m);
+            for (std::size_t i = first; i < last; ++i) {
+                order[i]->door = measure_door(*order[i], regions, clearance_m, frame, gauge);
+            }
+        });
+    std::vector<Door> doors;
+    for (const Found& opening : openings) {
+        if (opening.door && opening.door->width_m >= min_width_m) doors.push_back(*opening.door);
+    }
+    return doors;
+}
+
+}  // namespace quadcut

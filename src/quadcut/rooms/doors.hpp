@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/map/layout.hpp"
+#include "quadcut/map/raster.hpp"
+#include "quadcut/map/room.hpp"
+
+namespace quadcut {
+
+/// The openings between regions, each of them: two rooms may share several doors. `labels` 1 ..
+/// num_regions; `clearance_m` as the regions were made with; positions come out in the map frame.
+/// Openings narrower than `min_width_m` are left out. Ordered by a, b, then first cell.
+/// O(cells + 5 m around each opening).
+[[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
+                                           std::uint32_t num_regions,
+                                           const Raster<float>& clearance_m,
+                                           const LaidOutFrame& frame, double min_width_m,
+                                           const Executor& executor = {});
+
+}  // namespace quadcut

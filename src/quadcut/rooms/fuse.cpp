@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/fuse.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "quadcut/rooms/door_model.hpp"
+#include "quadcut/rooms/label_tally.hpp"
+
+namespace quadcut {
+namespace {
+
+/// From granularity 0 to 1 the threshold falls by so much: the range in which rooms differ.
+constexpr double kLogOddsOfGranularity = 12.0;
+/// At the default granularity a cut needs somewhat more than even odds: in maps of few and noisy
+/// scans much looks like a door that is none.
+constexpr double kDefaultLogOdds = 0.6;
+constexpr double kNoDoor = -100.0;
+
+}  // namespace
+
+double fuse_threshold(double granularity) {
+    return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
+}
+
+Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor)
+    : regions_(regions), max_width_m_(max_width_m), executor_(executor) {
+    regions_.measure_all(max_width_m_, executor_);
+    for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
+        for (const auto& [other, saddle] : regions.saddles(region)) {
+            if (other > region) push(region, other);
+        }
+    }
+}
+
+void Fuser::push(std::uint32_t a, std::uint32_t b) {
+    // A pair has the same place in the order from whichever side it is looked at.
+    if (a > b) std::swap(a, b);
+    queue_.push({log_odds(a, b), a, b, regions_.version(a), regions_.version(b)});
+}
+
+double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
+    const Saddle& saddle = regions_.saddles(a).at(b);
+    const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
+    return width_m > max_width_m_ ? kNoDoor : door_log_odds(regions_.measure(a, b));
+}
+
+void Fuser::fuse_below(double min_log_odds) {
+    while (!queue_.empty() && queue_.top().log_odds < min_log_odds) {
+        const Candidate top = queue_.top();
+        queue_.pop();
+        if (!regions_.is_region(top.a) || !regions_.is_region(top.b) ||
+            regions_.version(top.a) != top.version_a || regions_.version(top.b) != top.version_b) {
+            continue;
+        }
+        const bool a_larger = regions_.area_m2(top.a) >= regions_.area_m2(top.b);
+        const std::uint32_t heir = a_larger ? top.a : top.b;
+        regions_.join(heir, a_larger ? top.b : top.a);
+        regions_.measure_around(heir, max_width_m_, executor_);
+        for (const auto& [other, saddle] : regions_.saddles(heir)) push(heir, other);
+    }
+}
+
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m) {
+    const auto is_small = [&](std::uint32_t region) {
+        return regions.area_m2(region) < min_area_m2 || 2.0 * regions.peak_m(region) < min_width_m;
+    };
+    std::vector<std::uint32_t> small;
+    for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
+        if (regions.is_region(region) && is_small(region)) small.push_back(region);
+    }
+    std::stable_sort(small.begin(), small.end(), [&](std::uint32_t p, std::uint32_t q) {
+        return regions.area_m2(p) < regions.area_m2(q);
+    });
+    for (const std::uint32_t region : small) {
+        if (!regions.is_region(region) || !is_small(region)) continue;
+        const auto& saddles = regions.saddles(region);
+        const auto widest =
+            std::max_element(saddles.begin(), saddles.end(), [](const auto& p, const auto& q) {
+                return p.second.clearance_m < q.second.clearance_m;
+            });
+        if (widest != saddles.end()) regions.join(widest->first, region);
+    }
+}
+
+std::map<std::uint32_t, std::uint32_t> enclosing_regions(const RegionGraph& regions,
+                                                         std::span<const Enclosure> enclosures) {
+    std::map<std::uint32_t, std::uint32_t> host_of;
+    for (const Enclosure& enclosure : enclosures) {
+        const std::uint32_t pocket = regions.region_of(enclosure.pocket);
+        const std::uint32_t host = regions.region_of(enclosure.around.front());
+        const bool is_one =
+            std::all_of(enclosure.around.begin(), enclosure.around.end(),
+                        [&](std::uint32_t region) { return regions.region_of(region) == host; });
+        if (is_one && host != pocket && regions.area_m2(host) > 2.0 * regions.area_m2(pocket)) {
+            host_of.emplace(pocket, host);
+        }
+    }
+    return host_of;
+}
+
+std::vector<std::uint32_t> regions_of_pieces(const RegionGraph& regions) {
+    std::vector<std::uint32_t> result(regions.num_pieces() + std::size_t{1}, 0);
+    for (std::uint32_t piece = 1; piece < result.size(); ++piece) {
+        result[piece] = regions.region_of(piece);
+    }
+    return result;
+}
+
+void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
+             std::span<const Enclosure> enclosures, const Executor& executor) {
+    std::vector<std::uint32_t> now = regions_of_pieces(regions);
+    const auto host_of = enclosing_regions(regions, enclosures);
+    for (std::uint32_t& region : now) {
+        const auto found = host_of.find(region);
+        if (found != host_of.end()) region = found->second;
+    }
+    renumber(labels, now, executor);
+}
+
+}  // namespace quadcut

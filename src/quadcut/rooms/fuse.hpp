@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <queue>
+#include <span>
+#include <tuple>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/region_graph.hpp"
+#include "quadcut/rooms/regions.hpp"
+
+namespace quadcut {
+
+/// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many).
+[[nodiscard]] double fuse_threshold(double granularity);
+
+/// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
+class Fuser {
+public:
+    /// Openings that are wider than `max_width_m` separate nothing. The regions must outlive the
+    /// fuser, and nothing else may join them while it is in use.
+    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {});
+
+    /// Joins until every cut that is left has at least these log-odds of being a door. To stop
+    /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
+    void fuse_below(double min_log_odds);
+
+private:
+    /// A saddle with the numbers of joins that its two regions had seen when it was measured.
+    struct Candidate {
+        double log_odds = 0.0;
+        std::uint32_t a = 0;
+        std::uint32_t b = 0;
+        std::uint32_t version_a = 0;
+        std::uint32_t version_b = 0;
+        /// Lowest first; ties by region, so that the order is the same everywhere.
+        friend bool operator<(const Candidate& p, const Candidate& q) {
+            return std::tie(p.log_odds, p.a, p.b) > std::tie(q.log_odds, q.a, q.b);
+        }
+    };
+
+    void push(std::uint32_t a, std::uint32_t b);
+    [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
+
+    RegionGraph& regions_;
+    double max_width_m_;
+    Executor executor_;
+    std::priority_queue<Candidate> queue_;
+};
+
+/// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
+/// saddle, smallest first. What has no neighbour stays.
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m);
+
+/// The regions that are no rooms of their own, and the region that each belongs to: of enclosures
+/// that one region is all around of, if that has twice the area.
+[[nodiscard]] std::map<std::uint32_t, std::uint32_t> enclosing_regions(
+    const RegionGraph& regions, std::span<const Enclosure> enclosures);
+
+/// By piece; nothing at 0, which is no piece.
+[[nodiscard]] std::vector<std::uint32_t> regions_of_pieces(const RegionGraph& regions);
+
+/// Each piece's cells get the number of its region, or of the one that encloses it.
+void relabel(const RegionGraph& regions, Raster<std::uint32_t>& labels,
+             std::span<const Enclosure> enclosures = {}, const Executor& executor = {});
+
+}  // namespace quadcut

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/hierarchy.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadcut/base/error.hpp"
+
+namespace quadcut {
+namespace {
+
+constexpr int kNumSteps = 10;
+
+/// The level at which the regions are now; regions are numbered in the order of their first one.
+HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint32_t>& finest,
+                        double granularity, std::span<const Enclosure> enclosures) {
+    const auto host_of = enclosing_regions(regions, enclosures);
+    HierarchyLevel level;
+    level.granularity = granularity;
+    std::map<std::uint32_t, std::uint16_t> number;
+    for (const std::uint32_t piece : finest) {
+        const std::uint32_t region = regions.region_of(piece);
+        const auto host = host_of.find(region);
+        const auto next = static_cast<std::uint16_t>(number.size() + 1);
+        level.region_of_finest.push_back(
+            number.try_emplace(host == host_of.end() ? region : host->second, next).first->second);
+    }
+    level.num_regions = static_cast<std::uint32_t>(number.size());
+    return level;
+}
+
+}  // namespace
+
+Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
+                          double max_width_m, std::span<const Enclosure> enclosures) {
+    std::vector<std::uint32_t> finest;
+    std::vector<std::uint32_t> number(regions.num_pieces() + 1, 0);
+    Hierarchy hierarchy;
+    hierarchy.finest = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint32_t region = labels.values[i];
+        if (region == 0) continue;
+        if (number[region] == 0) {
+            finest.push_back(region);
+            number[region] = static_cast<std::uint32_t>(finest.size());
+        }
+        hierarchy.finest.values[i] = static_cast<std::uint16_t>(number[region]);
+    }
+    if (finest.size() > kMaxRoomId) {
+        throw InputError("the finest level of the hierarchy has " + std::to_string(finest.size()) +
+                         " regions: expected at most 65535, the range of a label");
+    }
+    Fuser fuser(regions, max_width_m);
+    for (int step = kNumSteps; step >= 0; --step) {
+        const double granularity = static_cast<double>(step) / kNumSteps;
+        fuser.fuse_below(fuse_threshold(granularity));
+        HierarchyLevel level = level_of(regions, finest, granularity, enclosures);
+        const bool is_new =
+            hierarchy.levels.empty() || level.num_regions < hierarchy.levels.back().num_regions;
+        if (is_new) hierarchy.levels.push_back(std::move(level));
+    }
+    std::reverse(hierarchy.levels.begin(), hierarchy.levels.end());
+    return hierarchy;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/narrowing.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace quadcut {
+namespace {
+
+constexpr double kStepM = 0.1;
+/// What lies within these path lengths is noted: peaks at all, areas at the last two.
+constexpr std::array<double, 3> kWithinM{1.5, 3.0, kNarrowingReachM};
+constexpr std::uint16_t kUnseen = 0xFFFF;
+constexpr std::uint16_t kUnreached = 0xFFFE;
+/// Lengths are in fifths of a step and begin at 1: 0 is a place that no path leads to.
+constexpr std::uint16_t kBlocked = 0;
+constexpr unsigned kStart = 1;
+constexpr unsigned kStraight = 5;
+constexpr unsigned kDiagonal = 7;
+
+std::int32_t stride_of(double resolution_m) {
+    return std::max(1, static_cast<std::int32_t>(std::lround(kStepM / resolution_m)));
+}
+
+double path_m(unsigned length, double step_m) {
+    return static_cast<double>(length - kStart) * step_m / kStraight;
+}
+
+/// What a walk has come by so far; sums over the distances from the seed, in steps.
+struct WalkedPlaces {
+    float peak_m = 0.0F;
+    std::int64_t count = 0;
+    std::int64_t sum_xx = 0;
+    std::int64_t sum_xy = 0;
+    std::int64_t sum_yy = 0;
+
+    void add(float clearance_m, std::int64_t x, std::int64_t y) {
+        peak_m = std::max(peak_m, clearance_m);
+        ++count;
+        sum_xx += x * x;
+        sum_xy += x * y;
+        sum_yy += y * y;
+    }
+    /// All paths up to limit number i have been walked.
+    void note(std::size_t i, const Direction& along, double step_m, SideOfSaddle& side) const {
+        side.peak_m[i] = static_cast<double>(peak_m);
+        if (i == 0) return;
+        const auto num = static_cast<double>(std::max<std::int64_t>(1, count));
+        const double sum_squares = along.x * along.x * static_cast<double>(sum_xx) +
+                                   2.0 * along.x * along.y * static_cast<double>(sum_xy) +
+                                   along.y * along.y * static_cast<double>(sum_yy);
+        side.area_m2[i - 1] = num * step_m * step_m;
+        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / num) * step_m;
+    }
+};
+
+}  // namespace
+
+/// One walk: the window around its seed.
+class NarrowingGauge::Walk {
+public:
+    Walk(NarrowingGauge& gauge, Cell seed, const RegionsView& regions, WalkedSide& walked)
+        : gauge_(gauge),
+          clearance_(gauge.clearance_),
+          seed_(seed),
+          seed_offset_(clearance_.offset(seed)),
+          regions_(regions),
+          region_(regions.region_at(seed_offset_)),
+          walked_(walked) {
+        const auto up = static_cast<std::int32_t>(1U << gauge.row_bits_);
+        // East, north, west, south; then what lies between each and the next.
+        steps_ = {1, up, -1, -up, up + 1, up - 1, -up - 1, -up + 1};
+        const std::int32_t reach = gauge.radius_ * gauge.stride_cells_;
+        is_all_inside_ = clearance_.contains({seed.x - reach, seed.y - reach}) &&
+                         clearance_.contains({seed.x + reach, seed.y + reach});
+    }
+
+    /// Nearest places first (Dial's buckets).
+    void go(const Direction& along) {
+        reach(centre(), 0, kStart);
+        for (unsigned way = 0; way < 8; ++way) {
+            reach(ahead(centre(), way), way, kStart + (way < 4 ? kStraight : kDiagonal));
+        }
+        std::size_t num_noted = 0;
+        std::size_t num_idle = 0;
+        const auto note_up_to = [&](unsigned length) {
+            for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length;
+                 ++num_noted)
+                places_.note(num_noted, along, gauge_.step_m_, walked_.side);
+        };
+        for (unsigned length = kStart;
+             length <= gauge_.longest_ && num_idle < gauge_.fronts_.size(); ++length) {
+            std::vector<Reached>& front = gauge_.fronts_[length % gauge_.fronts_.size()];
+            for (const Reached at : front) {
+                if (gauge_.length_[at.place] != length) continue;
+                visit(at.place);
+                if (length != kStart) go_on(at.place, at.way, length);
+            }
+            num_idle = front.empty() ? num_idle + 1 : 0;
+            if (num_idle == 0) walked_.side.reach_m = path_m(length, gauge_.step_m_);
+            front.clear();
+            note_up_to(length);
+        }
+        note_up_to(gauge_.longest_);
+        for (std::vector<Reached>& front : gauge_.fronts_) front.clear();
+        std::fill(gauge_.length_.begin() + lowest_, gauge_.length_.begin() + highest_ + 1, kUnseen);
+    }
+
+private:
+    [[nodiscard]] unsigned centre() const {
+        const auto radius = static_cast<unsigned>(gauge_.radius_);
+        return (radius << gauge_.row_bits_) + radius;
+    }
+    [[nodiscard]] unsigned ahead(unsigned place, unsigned way) const {
+        return place + static_cast<unsigned>(steps_[way]);
+    }
+    [[nodiscard]] std::int32_t x_of(unsigned place) const {
+        return static_cast<std::int32_t>(place & ((1U << gauge_.row_bits_) - 1)) - gauge_.radius_;
+    }
+    [[nodiscard]] std::int32_t y_of(unsigned place) const {
+        return static_cast<std::int32_t>(place >> gauge_.row_bits_) - gauge_.radius_;
+    }
+    [[nodiscard]] bool is_inside(unsigned place) const {
+        return is_all_inside_ ||
+               clearance_.contains({seed_.x + x_of(place) * gauge_.stride_cells_,
+                                    seed_.y + y_of(place) * gauge_.stride_cells_});
+    }
+    /// In the raster. @pre is_inside(place).
+    [[nodiscard]] std::size_t offset_at(unsigned place) const {
+        const std::int64_t cells = x_of(place) + std::int64_t{y_of(place)} * clearance_.width;
+        return seed_offset_ + static_cast<std::size_t>(cells * gauge_.stride_cells_);
+    }
+
+    /// The first look at a place: whether it lies in the region.
+    std::uint16_t look_at(unsigned place) {
+        lowest_ = std::min(lowest_, place);
+        highest_ = std::max(highest_, place);
+        if (!is_inside(place)) return kBlocked;
+        const std::uint32_t own = regions_.region_at(offset_at(place));
+        if (own == region_) return kUnreached;
+        if (own != 0 && (walked_.met.empty() || walked_.met.back() != own)) {
+            walked_.met.push_back(own);
+        }
+        return kBlocked;
+    }
+    [[nodiscard]] bool is_blocked(unsigned place) {
+        std::uint16_t& shortest = gauge_.length_[place];
+        if (shortest == kUnseen) shortest = look_at(place);
+        return shortest == kBlocked;
+    }
+    void reach(unsigned place, unsigned way, unsigned length) {
+        std::uint16_t& shortest = gauge_.length_[place];
+        if (shortest == kUnseen) shortest = look_at(place);
+        if (length >= shortest) return;
+        shortest = static_cast<std::uint16_t>(length);
+        gauge_.fronts_[length % gauge_.fronts_.size()].push_back(
+            {static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(way)});
+    }
+    void visit(unsigned place) {
+        places_.add(clearance_.values[offset_at(place)], x_of(place), y_of(place));
+    }
+    /// On to the neighbours that cannot be reached as soon from the place before, unless it is
+    /// around something blocked (Harabor and Grastien, "Online graph pruning for pathfinding on
+    /// grid maps", 2011).
+    void go_on(unsigned place, unsigned way, unsigned length) {
+        const unsigned right = (way + 3) % 4;
+        const unsigned left = (way + 1) % 4;
+        if (way < 4) {
+            reach(ahead(place, way), way, length + kStraight);
+            if (is_blocked(ahead(place, left))) {
+                reach(ahead(place, 4 + way), 4 + way, length + kDiagonal);
+            }
+            if (is_blocked(ahead(place, right))) {
+                reach(ahead(place, 4 + right), 4 + right, length + kDiagonal);
+            }
+            return;
+        }
+        // A diagonal way is one between a straight one and the next.
+        const unsigned first = way - 4;
+        reach(ahead(place, first), first, length + kStraight);
+        reach(ahead(place, left), left, length + kStraight);
+        reach(ahead(place, way), way, length + kDiagonal);
+        if (is_blocked(ahead(place, (first + 2) % 4))) {
+            reach(ahead(place, 4 + left), 4 + left, length + kDiagonal);
+        }
+        if (is_blocked(ahead(place, right))) {
+            reach(ahead(place, 4 + right), 4 + right, length + kDiagonal);
+        }
+    }
+
+    NarrowingGauge& gauge_;
+    const Raster<float>& clearance_;
+    Cell seed_;
+    std::size_t seed_offset_;
+    bool is_all_inside_ = false;
+    const RegionsView& regions_;
+    std::uint32_t region_;
+    WalkedSide& walked_;
+    WalkedPlaces places_;
+    std::array<std::int32_t, 8> steps_{};
+    unsigned lowest_ = static_cast<unsigned>(-1);
+    unsigned highest_ = 0;
+};
+
+NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resolution_m)
+    : clearance_(clearance_m),
+      resolution_m_(resolution_m),
+      stride_cells_(stride_of(resolution_m)),
+      step_m_(stride_cells_ * resolution_m),
+      radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 2),
+      row_bits_(static_cast<unsigned>(std::bit_width(2U * static_cast<unsigned>(radius_)))),
+      longest_(static_cast<unsigned>(kStraight * kNarrowingReachM / step_m_) + kStart),
+      length_((2U * static_cast<std::size_t>(radius_) + 1) << row_bits_, kUnseen) {
+    for (std::size_t i = 0; i < kWithinM.size(); ++i) {
+        noted_at_[i] = longest_;
+        while (noted_at_[i] > kStart && path_m(noted_at_[i], step_m_) > kWithinM[i]) --noted_at_[i];
+    }
+}
+
+/// No path is long enough to leave the window.
+WalkedSide NarrowingGauge::walk_outward(Cell seed, const Direction& along,
+                                        const RegionsView& regions) {
+    WalkedSide walked;
+    // A cell that no longer belongs to a region has nothing behind it.
+    if (regions.region_at(clearance_.offset(seed)) == 0) return walked;
+    Walk(*this, seed, regions, walked).go(along);
+    return walked;
+}
+
+Narrowing NarrowingGauge::measure(const Saddle& saddle, const RegionsView& regions) {
+    const Opening opening = measure_opening(clearance_, resolution_m_, saddle);
+    return put_together(saddle, opening, walk_outward(saddle.a, opening.along, regions).side,
+                        walk_outward(saddle.b, opening.along, regions).side, resolution_m_);
+}
+
+Narrowing put_together(const Saddle& saddle, const Opening& opening, const SideOfSaddle& side_a,
+                       const SideOfSaddle& side_b, double resolution_m) {
+    Narrowing out;
+    out.half_width_m = static_cast<double>(saddle.clearance_m);
+    out.opening = opening;
+    out.is_a_narrower = side_a.peak_m.back() <= side_b.peak_m.back();
+    out.narrower = out.is_a_narrower ? side_a : side_b;
+    out.wider = out.is_a_narrower ? side_b : side_a;
+    out.border_ratio =
+        static_cast<double>(saddle.num_contacts) * resolution_m / (2.0 * out.half_width_m);
+    return out;
+}
+
+}  // namespace quadcut

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/rooms.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "quadcut/map/clearance.hpp"
+#include "quadcut/map/flood.hpp"
+#include "quadcut/rooms/fuse.hpp"
+#include "quadcut/rooms/hierarchy.hpp"
+#include "quadcut/rooms/label_tally.hpp"
+#include "quadcut/rooms/open_space.hpp"
+#include "quadcut/rooms/pieces.hpp"
+#include "quadcut/rooms/regions.hpp"
+
+namespace quadcut {
+namespace {
+
+/// What is enclosed by an outline up to this size is the inside of furniture.
+constexpr double kMaxPocketM2 = 4.0;
+
+/// The regions with cells on the edge of a window.
+std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const RegionGraph& regions) {
+    std::vector<bool> result(regions.num_pieces() + std::size_t{1}, false);
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        if (pieces.values[i] != 0 && is_on_edge(pieces, i)) {
+            result[regions.region_of(pieces.values[i])] = true;
+        }
+    }
+    return result;
+}
+
+/// `cut.rooms` holds the pieces at first. The finest regions are tidied; what they fuse into is
+/// measured before, since `regions` look at the pieces as they were, perhaps in that very raster.
+void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
+                     RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
+    Raster<std::uint32_t>& labels = cut.rooms;
+    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(1.0));
+    fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
+    const std::vector<bool> goes_on =
+        floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
+    const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
+    std::optional<RegionGraph> finest_regions;
+    if (hierarchy != nullptr) finest_regions.emplace(regions);
+    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(options.granularity));
+    renumber(labels, finest, executor);
+    connect_regions(labels, goes_on, executor);
+    drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
+    // What is enclosed by furniture belongs to the room around it; rooms stay connected.
+    const Adoption adoption = adopt_pockets(
+        labels, floor.free,
+        find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor), executor);
+    drop_without_floor(labels, floor.free, executor);
+    if (adoption.is_any) connect_regions(labels, goes_on, executor);
+    if (hierarchy != nullptr) {
+        *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
+                                     adoption.enclosures);
+    }
+    relabel(regions, labels, adoption.enclosures, executor);
+}
+
+}  // namespace
+
+RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, std::uint64_t seed,
+                        StageClock& clock, const Executor& executor, Hierarchy* hierarchy) {
+    RoomsCut cut;
+    clock.begin("clearance");
+    Raster<std::uint8_t> open =
+        open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, executor);
+    cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
+    Basins pieces = find_pieces(std::move(open), cut.clearance_m, floor.resolution_m, options, seed,
+                                clock, executor, cut.report);
+    cut.rooms = std::move(pieces.labels);
+    cut.num_pieces = pieces.count;
+    clock.begin("graph");
+    // A whole map may be so large that there is no room for both.
+    const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr;
+    if (keeps_pieces) cut.pieces = cut.rooms;
+    RegionGraph regions(keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
+                        floor.resolution_m, executor);
+    if (options.pieces == PieceSource::basins) {
+        cut.report.num_leaves = cut.num_pieces;
+        cut.report.num_edges = regions.num_saddles();
+    }
+    if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
+    clock.begin("fuse");
+    fuse_into_rooms(floor, options, executor, regions, cut, hierarchy);
+    return cut;
+}
+
+}  // namespace quadcut

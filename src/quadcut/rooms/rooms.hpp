@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/base/stage_clock.hpp"
+#include "quadcut/map/raster.hpp"
+#include "quadcut/map/room.hpp"
+#include "quadcut/rooms/options.hpp"
+#include "quadcut/rooms/region_graph.hpp"
+#include "quadcut/spectral/pieces.hpp"
+
+namespace quadcut {
+
+/// What is cut into rooms; rasters of one rectangle from cell (0, 0) on.
+struct FloorToCut {
+    /// 1 = to be cut. Used up.
+    Raster<std::uint8_t> kept;
+    /// 1 = free in the map.
+    const Raster<std::uint8_t>& free;
+    double resolution_m = 0.05;
+    /// For a window of a map, where what touches the edge goes on beyond it: says what the pieces
+    /// (of RoomsCut) have there.
+    std::function<void(const Raster<std::uint32_t>& pieces, RegionGraph& regions)> add_beyond;
+};
+
+struct RoomsCut {
+    /// Regions of any number; 0 = none.
+    Raster<std::uint32_t> rooms;
+    /// What they were fused from, 1 .. num_pieces; 0 = none. Of a window only.
+    Raster<std::uint32_t> pieces;
+    std::uint32_t num_pieces = 0;
+    Raster<float> clearance_m;
+    CutReport report;
+};
+
+/// The cut of the preset `rooms`, of a map or of a window: clearance, in which furniture does not
+/// count; pieces; pieces are fused unless a door is between them, first as far as at the highest
+/// granularity, of whose regions all rooms are unions; there, small regions, slivers and pockets
+/// find their room. With `hierarchy`: all levels, too.
+/// O(cells + 5 m around each saddle, as often as what lies there changes).
+[[nodiscard]] RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options,
+                                      std::uint64_t seed, StageClock& clock,
+                                      const Executor& executor, Hierarchy* hierarchy = nullptr);
+
+}  // namespace quadcut

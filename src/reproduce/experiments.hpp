@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quadcut/base/parallel.hpp"
+#include "quadcut/segment/options.hpp"
+#include "reproduce/figure.hpp"
+#include "reproduce/followed.hpp"
+#include "reproduce/world.hpp"
+
+namespace quadcut::reproduce {
+
+/// How experiments are to run.
+struct Setup {
+    std::size_t num_threads = 2;
+    std::uint64_t seed = 1;
+    Size size = Size::full;
+
+    [[nodiscard]] Executor executor() const { return {static_cast<int>(num_threads)}; }
+    [[nodiscard]] SegmentOptions rooms() const {
+        SegmentOptions options;
+        options.num_threads = num_threads;
+        options.seed = seed;
+        return options;
+    }
+    /// num_submaps 0: by silhouette.
+    [[nodiscard]] SegmentOptions paper(std::size_t num_submaps) const {
+        SegmentOptions options = rooms();
+        options.preset = Preset::paper;
+        options.paper.num_submaps = num_submaps;
+        return options;
+    }
+};
+
+/// Cells of the workplace's maps, metres: it then has about as many nodes as the paper's.
+inline constexpr double kWorkplaceResolutionM = 0.1;
+/// Cells when the laboratory is followed in the preset `paper`.
+inline constexpr double kLaboratoryResolutionM = 0.1;
+/// From this panoptic quality on, percent, two divisions are called alike.
+inline constexpr double kAlikePercent = 75.0;
+
+struct Worlds {
+    World workplace;
+    World mit_csail;
+    World intel;
+    World laboratory;
+};
+
+/// The same scans, followed in both presets.
+struct FollowedTwice {
+    Followed paper;
+    Followed rooms;
+};
+
+// Each the counterpart of the figures in its name. Times are wall times.
+
+/// Construction, nodes and look-ups: quadtree against occupancy grid.
+[[nodiscard]] Figure figure_4(const Worlds& worlds, const Setup& setup);
+/// Dense and filtered matrix.
+[[nodiscard]] Figure figure_6(const Worlds& worlds, const Setup& setup);
+/// Time of the edges against the number of threads.
+[[nodiscard]] Figure figure_7(const Worlds& worlds, const Setup& setup);
+/// The pipeline on the workplace.
+[[nodiscard]] Figure figure_11(const Worlds& worlds, const Setup& setup);
+/// The same, incrementally.
+[[nodiscard]] Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace,
+                               const Setup& setup);
+/// ps over time.
+[[nodiscard]] Figure figure_13(const Worlds& worlds);
+/// Size of the matrix over time.
+[[nodiscard]] Figure figure_14(const Worlds& worlds, const FollowedTwice& workplace,
+                               const FollowedTwice& intel);
+/// MIT-CSAIL with k = 10.
+[[nodiscard]] Figure figures_15_to_17(const Worlds& worlds, const Setup& setup);
+
+/// The paper's 17,300 and 43 ms, and ours, beside the figure.
+struct IntelResult {
+    Figure figure;
+    std::vector<Headline> headlines;
+};
+/// The Intel lab, whole and locally.
+[[nodiscard]] IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel,
+                                    const Setup& setup);
+/// A robot in a cluttered laboratory.
+[[nodiscard]] Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory,
+                                      const Setup& setup);
+
+}  // namespace quadcut::reproduce

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// Figs 20 to 22: a robot in a cluttered laboratory.
+#include <set>
+#include <string>
+#include <vector>
+
+#include "eval/building_case.hpp"
+#include "reproduce/contest.hpp"
+#include "reproduce/experiments.hpp"
+#include "reproduce/map_picture.hpp"
+#include "reproduce/partition.hpp"
+#include "reproduce/sentence.hpp"
+
+namespace quadcut::reproduce {
+namespace {
+
+constexpr std::size_t kHalfSubmaps = 4;
+constexpr double kFitPercent = 50.0;
+
+std::size_t num_true_rooms(const World& world, const GridMap& map) {
+    const Raster<std::uint32_t> truth = labels_at(world.truth_map, world.truth, map);
+    std::set<std::uint32_t> rooms(truth.values.begin(), truth.values.end());
+    rooms.erase(0);
+    return rooms.size();
+}
+
+/// The moment when half of the scans were there.
+const draw::Moment& half(const Followed& followed) {
+    return followed.moments[(followed.moments.size() - 1) / 2];
+}
+
+double half_like_end(const Followed& followed) {
+    return agreement_percent(half(followed).map, half(followed).rooms, followed.map(),
+                             followed.rooms());
+}
+
+Value pq_value(const draw::Moment& moment, const World& world) {
+    const std::optional<double> pq = pq_percent(labels_of_cells(moment.rooms), moment.map, world);
+    return pq ? number(*pq, 1) : none();
+}
+
+std::size_t cut_rooms(const Followed& followed, const World& world) {
+    return count_cut_rooms(labels_of_cells(followed.rooms()), followed.map(), world);
+}
+
+Table followed_table(const World& world, const Followed& paper, const Followed& rooms) {
+    return {
+        "Followed",
+        {"the paper", "preset paper", "preset rooms"},
+        {{"submaps at half the way (Fig 21)",
+          "",
+          {number(kHalfSubmaps), number(half(paper).rooms.rooms.size()),
+           number(half(rooms).rooms.rooms.size())}},
+         {"like the final result where both are, PQ",
+          "%",
+          {words("very similar"), number(half_like_end(paper), 1),
+           number(half_like_end(rooms), 1)}},
+         {"submaps at the end (Fig 22)",
+          "",
+          {none(), number(paper.rooms().rooms.size()), number(rooms.rooms().rooms.size())}},
+         {"true rooms that were seen",
+          "",
+          {none(), number(num_true_rooms(world, paper.map())),
+           number(num_true_rooms(world, rooms.map()))}},
+         {"true rooms that are cut apart",
+          "",
+          {words("some"), number(cut_rooms(paper, world)), number(cut_rooms(rooms, world))}},
+         {"PQ against the true rooms at the end",
+          "%",
+          {none(), pq_value(paper.moments.back(), world), pq_value(rooms.moments.back(), world)}},
+         {"median time of a cut",
+          "ms",
+          {none(), number(median(paper.cuts_ms), 1), number(median(rooms.cuts_ms), 1)}}}};
+}
+
+}  // namespace
+
+Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory, const Setup& setup) {
+    const World& world = worlds.laboratory;
+    const Followed& paper = laboratory.paper;
+    const Followed& rooms = laboratory.rooms;
+    const Contest contest = hold_contest(world, 0, setup);
+
+    Figure figure;
+    figure.number = "20-22";
+    figure.title = "A robot in a cluttered laboratory";
+    figure.paper =
+        "A PeopleBot with a Hokuyo UST-10LX in a laboratory full of partitions and debris: the "
+        "quadtree, four temporary submaps at half the way, very similar to the final ones, which "
+        "fit the structure of the rooms. Tables and chairs count as walls and cut rooms apart.";
+    figure.setting =
+        "The paper's data is not public, so the robot is simulated, with a laser of 270 degrees. "
+        "Its "
+        "world is " +
+        world.origin.substr(world.origin.find(": ") + 2) +
+        ". Followed in the preset paper on cells of 10 cm, rooms of 5 cm; then the whole map, "
+        "cut by all methods.";
+    figure.pictures = {
+        scans_picture("fig20_scans.png", world.scans, world.map, "What the robot saw, and its way"),
+        quadtree_picture("fig20_quadtree.png", world.map, "Fig 20: the quadtree's leaves"),
+        plan_picture("fig21_paper.png", half(paper).map, half(paper).rooms,
+                     "Fig 21: half the way, preset paper, " + half(paper).caption),
+        plan_picture("fig21_rooms.png", half(rooms).map, half(rooms).rooms,
+                     "Half the way, preset rooms, " + half(rooms).caption),
+        plan_picture("fig22_paper.png", paper.map(), paper.rooms(),
+                     "Fig 22: the end, preset paper, " + paper.moments.back().caption),
+        plan_picture("fig22_rooms.png", rooms.map(), rooms.rooms(),
+                     "The end, preset rooms, " + rooms.moments.back().caption)};
+    std::vector<Picture> whole = pictures_of(contest, world, "fig22_whole");
+    for (Picture& picture : whole) {
+        picture.caption = "Whole map. " + picture.caption;
+        figure.pictures.push_back(std::move(picture));
+    }
+    figure.tables = {followed_table(world, paper, rooms), table_of(contest, none(), none())};
+    figure.tables[1].title = "The whole map at once";
+    const double like = half_like_end(paper);
+    const std::size_t num_half = half(paper).rooms.rooms.size();
+    const std::size_t num_rooms = num_true_rooms(world, paper.map());
+    const std::size_t num_cut = cut_rooms(paper, world);
+    const std::optional<double> pq = pq_percent(labels_of_cells(paper.rooms()), paper.map(), world);
+    const std::optional<double> pq_rooms =
+        pq_percent(labels_of_cells(rooms.rooms()), rooms.map(), world);
+    figure.claims = {
+        {like >= kAlikePercent, "the preset paper's " + std::to_string(num_half) +
+                                    " submaps at half the way have a PQ of " + in_words(like) +
+                                    " % against the final ones there"},
+        {pq.value_or(0.0) >= kFitPercent,
+         "its final submaps have a PQ of " + in_words(pq.value_or(0.0)) +
+             " % against the true rooms (the preset rooms: " + in_words(pq_rooms.value_or(0.0)) +
+             " %)"},
+        {num_cut > 0, "it cuts " + std::to_string(num_cut) + " of " + std::to_string(num_rooms) +
+                          " rooms apart, the preset rooms " +
+                          std::to_string(cut_rooms(rooms, world))}};
+    return figure;
+}
+
+}  // namespace quadcut::reproduce

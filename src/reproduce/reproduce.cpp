@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "reproduce/reproduce.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "io/file_batch.hpp"
+#include "reproduce/experiments.hpp"
+#include "reproduce/timing.hpp"
+
+namespace quadcut::reproduce {
+namespace {
+
+constexpr std::size_t kNumParts = 17;
+constexpr std::size_t kNumMoments = 8;
+
+/// Counts the parts.
+class Parts {
+public:
+    explicit Parts(const OnPart& on_part) : on_part_(on_part) {}
+    void begin(std::string_view part) {
+        if (on_part_) on_part_(part, num_begun_, kNumParts);
+        ++num_begun_;
+    }
+
+private:
+    const OnPart& on_part_;
+    std::size_t num_begun_ = 0;
+};
+
+Worlds make_worlds(const Options& options, Parts& parts) {
+    Worlds worlds;
+    parts.begin("workplace");
+    worlds.workplace = workplace(options.seed);
+    parts.begin("MIT-CSAIL");
+    worlds.mit_csail = mit_csail(options.data, options.size, options.seed);
+    parts.begin("Intel");
+    worlds.intel = intel(options.data, options.size, options.seed);
+    parts.begin("laboratory");
+    worlds.laboratory = laboratory(options.data, options.size, options.seed);
+    return worlds;
+}
+
+FollowedTwice follow_twice(const World& world, double paper_resolution_m, const Setup& setup) {
+    return {follow(world, setup.paper(0), paper_resolution_m, kNumMoments),
+            follow(world, setup.rooms(), kResolutionM, kNumMoments)};
+}
+
+}  // namespace
+
+Report measure(const Options& options, const OnPart& on_part) {
+    const auto start = std::chrono::steady_clock::now();
+    Parts parts(on_part);
+    const Setup setup{options.num_threads, options.seed, options.size};
+    Report report;
+    report.version = QUADCUT_VERSION;
+    report.command = options.command;
+    report.machine = this_machine();
+    report.num_threads = options.num_threads;
+    report.seed = options.seed;
+    report.is_simulated = !options.data;
+    const Worlds worlds = make_worlds(options, parts);
+    for (const World* world :
+         {&worlds.workplace, &worlds.mit_csail, &worlds.intel, &worlds.laboratory}) {
+        report.worlds.push_back(world->origin);
+    }
+    // In small worlds all is coarse.
+    const auto fine = [&](double resolution_m) {
+        return options.size == Size::full ? resolution_m : kPaperFollowResolutionM;
+    };
+    const auto add = [&](std::string_view part, auto&& figure_of) {
+        parts.begin(part);
+        report.figures.push_back(figure_of());
+    };
+    add("Fig 4", [&] { return figure_4(worlds, setup); });
+    add("Fig 6", [&] { return figure_6(worlds, setup); });
+    add("Fig 7", [&] { return figure_7(worlds, setup); });
+    add("Fig 11", [&] { return figure_11(worlds, setup); });
+    parts.begin("following");
+    const FollowedTwice workplace =
+        follow_twice(worlds.workplace, fine(kWorkplaceResolutionM), setup);
+    add("Fig 12", [&] { return figure_12(worlds, workplace, setup); });
+    add("Fig 13", [&] { return figure_13(worlds); });
+    parts.begin("following");
+    const FollowedTwice intel = follow_twice(worlds.intel, kPaperFollowResolutionM, setup);
+    add("Fig 14", [&] { return figure_14(worlds, workplace, intel); });
+    add("Figs 15-17", [&] { return figures_15_to_17(worlds, setup); });
+    add("Fig 18", [&] {
+        IntelResult result = figure_18(worlds, intel, setup);
+        report.headlines = std::move(result.headlines);
+        return std::move(result.figure);
+    });
+    parts.begin("following");
+    const FollowedTwice laboratory =
+        follow_twice(worlds.laboratory, fine(kLaboratoryResolutionM), setup);
+    add("Figs 20-22", [&] { return figures_20_to_22(worlds, laboratory, setup); });
+    report.elapsed_s = ms_since(start) / 1000.0;
+    return report;
+}
+
+std::vector<std::string> main_files() { return {"index.html", "reproduce.json"}; }
+
+void add_files(io::FileBatch& files, const Report& report) {
+    for (const Figure& figure : report.figures) {
+        for (const Picture& picture : figure.pictures) files.add(picture.file, picture.bytes);
+    }
+    files.add("reproduce.json", to_json(report));
+    files.add("index.html", html_page(report));
+}
+
+}  // namespace quadcut::reproduce

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reproduce/figure.hpp"
+
+namespace quadcut::reproduce {
+
+// Sentences made of measured numbers.
+
+/// Two or three significant digits, thousands with commas: 17,300, 43, 0.31.
+[[nodiscard]] std::string in_words(double value);
+
+/// "3.2 times as long as", "a 284th of the time of" is harder to read than what this says:
+/// "284 times as fast as" or "3.2 times as slow as", of ours against theirs; "about as fast as"
+/// within a tenth.
+[[nodiscard]] std::string speed_against(double ours_ms, double theirs_ms);
+
+/// "3.2 times as many" or "0.31 times as many".
+[[nodiscard]] std::string factor(double ours, double theirs);
+
+/// One sentence on all claims: "Agrees: ...", "Differs: ...", or "Agrees in 2 of 3: ...; differs:
+/// ...".
+[[nodiscard]] std::string verdict(const std::vector<Claim>& claims);
+[[nodiscard]] bool agrees(const std::vector<Claim>& claims);
+
+}  // namespace quadcut::reproduce

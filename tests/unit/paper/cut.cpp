@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/paper/cut.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quadcut/base/random.hpp"
+#include "quadcut/paper/submaps.hpp"
+#include "quadcut/rooms/over_cut.hpp"
+
+namespace quadcut {
+namespace {
+
+/// A grid of width x height nodes of 1 m^2 for each room, rooms in a row; neighbouring rooms are
+/// joined by one edge of weight `door` (none if 0).
+Graph rooms_in_a_row(std::uint32_t num_rooms, std::uint32_t width, std::uint32_t height,
+                     double door) {
+    std::vector<WeightedEdge> edges;
+    const std::uint32_t size = width * height;
+    for (std::uint32_t room = 0; room < num_rooms; ++room) {
+        const auto node = [&](std::uint32_t x, std::uint32_t y) {
+            return room * size + y * width + x;
+        };
+        for (std::uint32_t y = 0; y < height; ++y) {
+            for (std::uint32_t x = 0; x < width; ++x) {
+                if (x + 1 < width) edges.push_back({node(x, y), node(x + 1, y), 1.0});
+                if (y + 1 < height) edges.push_back({node(x, y), node(x, y + 1), 1.0});
+            }
+        }
+        if (room + 1 < num_rooms && door > 0.0) {
+            edges.push_back({node(width - 1, height / 2),
+                             node(width - 1, height / 2) + size - width + 1, door});
+        }
+    }
+    return build_graph(edges, std::vector<double>(std::size_t{num_rooms} * size, 1.0));
+}
+
+/// Every node is in a piece, pieces are numbered without gaps, and each is connected.
+void expect_partition(const Graph& graph, const Pieces& pieces) {
+    ASSERT_EQ(pieces.piece_of_node.size(), graph.num_nodes());
+    std::vector<std::vector<std::uint32_t>> members(pieces.count);
+    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+        ASSERT_LT(pieces.piece_of_node[node], pieces.count);
+        members[pieces.piece_of_node[node]].push_back(node);
+    }
+    for (const auto& nodes : members) {
+        ASSERT_FALSE(nodes.empty());
+        const auto component = connected_components(induced_subgraph(graph, nodes));
+        EXPECT_EQ(*std::max_element(component.begin(), component.end()), 0U);
+    }
+}
+
+/// Whether all nodes of each room are in one piece, and no piece holds two rooms.
+void expect_rooms(const Pieces& pieces, std::uint32_t num_rooms) {
+    EXPECT_EQ(pieces.count, num_rooms);
+    const std::size_t size = pieces.piece_of_node.size() / num_rooms;
+    std::set<std::uint32_t> used;
+    for (std::uint32_t room = 0; room < num_rooms; ++room) {
+        for (std::size_t i = 0; i < size; ++i) {
+            ASSERT_EQ(pieces.piece_of_node[room * size + i], pieces.piece_of_node[room * size]);
+        }
+        used.insert(pieces.piece_of_node[room * size]);
+    }
+    EXPECT_EQ(used.size(), num_rooms);
+}
+
+TEST(Cut, FindsRoomsBehindDoors) {
+    const Graph graph = rooms_in_a_row(4, 6, 6, 0.2);
+    StageClock clock;
+    CutOptions options;
+    options.num_pieces = 4;
+    const Pieces pieces = cut(graph, options, clock);
+    expect_partition(graph, pieces);
+    expect_rooms(pieces, 4);
+    ASSERT_EQ(pieces.eigen.size(), 1U);
+    EXPECT_EQ(pieces.eigen[0].eigenvalues.size(), 4U);
+}
+
+TEST(Cut, TheSilhouetteFindsTheNumberOfRooms) {
+    const Graph graph = rooms_in_a_row(5, 6, 6, 0.05);
+    StageClock clock;
+    CutOptions options;
+    options.max_pieces = 10;
+    expect_rooms(cut(graph, options, clock), 5);
+}
+
+TEST(Cut, EightDisconnectedEqualRoomsAreEight) {
+    const Graph graph = rooms_in_a_row(8, 5, 5, 0.0);
+    StageClock clock;
+    CutOptions options;
+    options.num_pieces = 8;
+    expect_rooms(cut(graph, options, clock), 8);
+}
+
+TEST(Cut, ARegionWithoutNodesHasNoPieces) {
+    StageClock clock;
+    EXPECT_EQ(cut(Graph{}, {}, clock).count, 0U);
+    EXPECT_EQ(over_cut(Graph{}, {}, clock).count, 0U);
+}
+
+TEST(OverCut, SeparatesEveryRoom) {
+    const Graph graph = rooms_in_a_row(9, 6, 6, 0.1);
+    StageClock clock;
+    const Pieces pieces = over_cut(graph, {}, clock);
+    expect_partition(graph, pieces);
+    EXPECT_GE(pieces.count, 9U);
+    // No piece holds nodes of two rooms.
+    std::vector<std::set<std::uint32_t>> rooms(pieces.count);
+    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+        rooms[pieces.piece_of_node[node]].insert(node / 36);
+    }
+    for (const auto& room : rooms) EXPECT_EQ(room.size(), 1U);
+}
+
+TEST(OverCut, RecursionCutsAsFineAsOneSolve) {
+    const Graph graph = rooms_in_a_row(20, 6, 6, 0.1);
+    StageClock clock;
+    OverCutOptions options;
+    const Pieces whole = over_cut(graph, options, clock);
+    options.max_pairs = 4;
+    const Pieces recursive = over_cut(graph, options, clock);
+    expect_partition(graph, recursive);
+    EXPECT_GE(recursive.count, 20U);
+    EXPECT_GT(recursive.eigen.size(), whole.eigen.size());
+    for (const EigenReport& report : recursive.eigen) EXPECT_LE(report.eigenvalues.size(), 4U);
+}
+
+TEST(OverCut, ALargeRegionIsNeverSolvedAsAWhole) {
+    const std::uint32_t num_rooms = 20;
+    const Graph graph = rooms_in_a_row(num_rooms, 60, 60, 0.2);
+    OverCutOptions options;
+    options.max_eigenvalue_per_m2 = 0.002;
+    StageClock clock;
+    const Pieces pieces = over_cut(graph, options, clock);
+    expect_partition(graph, pieces);
+    for (const EigenReport& report : pieces.eigen) EXPECT_LE(report.num_nodes, 65536U);
+    // Below the limit a room has one eigenvalue: the pieces are the rooms.
+    expect_rooms(pieces, num_rooms);
+}
+
+TEST(Submaps, LongestRouteOfAPathAndAGrid) {
+    EXPECT_EQ(longest_route_edges(rooms_in_a_row(1, 10, 1, 0.0)), 9U);
+    EXPECT_EQ(longest_route_edges(rooms_in_a_row(1, 7, 4, 0.0)), 6U + 3U);
+    EXPECT_EQ(longest_route_edges(rooms_in_a_row(1, 1, 1, 0.0)), 0U);
+    EXPECT_EQ(longest_route_edges(Graph{}), 0U);
+}
+
+TEST(Submaps, LongSubmapsAreDivided) {
+    const Graph corridor = rooms_in_a_row(1, 64, 2, 0.0);
+    Pieces one;
+    one.piece_of_node.assign(corridor.num_nodes(), 0);
+    one.count = 1;
+    SubmapLimits limits;
+    limits.max_route_edges = 20;
+    StageClock clock;
+    const Pieces divided = divide_submaps(corridor, one, limits, {}, clock);
+    expect_partition(corridor, divided);
+    EXPECT_EQ(divided.count, 4U);
+    limits.max_route_edges = 1000;
+    EXPECT_EQ(divide_submaps(corridor, one, limits, {}, clock).count, 1U);
+    limits.max_area_m2 = 70.0;
+    EXPECT_EQ(divide_submaps(corridor, one, limits, {}, clock).count, 2U) << "128 m^2";
+}
+
+/// Three rooms of 36 m^2 and, at the wall of the first, a chain of twenty nodes of 0.01 m^2 that
+/// hangs on by less than the rooms do.
+Graph three_rooms_and_a_sliver() {
+    const Graph rooms = rooms_in_a_row(3, 6, 6, 0.1);
+    std::vector<WeightedEdge> edges;
+    std::vector<double> areas = rooms.area_m2;
+    for (std::uint32_t node = 0; node < rooms.num_nodes(); ++node) {
+        const auto neighbours = rooms.neighbours(node);
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            if (neighbours[k] < node) continue;
+            edges.push_back({node, neighbours[k], rooms.neighbour_weights(node)[k]});
+        }
+    }
+    std::uint32_t last = 0;
+    for (int i = 0; i < 20; ++i) {
+        const auto next = static_cast<std::uint32_t>(areas.size());
+        edges.push_back({last, next, i == 0 ? 0.001 : 1.0});
+        areas.push_back(0.01);
+        last = next;
+    }
+    return build_graph(edges, areas);
+}
+
+TEST(Submaps, ASliverDoesNotTakeTheNumberOfARoom) {
+    const Graph graph = three_rooms_and_a_sliver();
+    StageClock clock;
+    CutOptions options;
+    options.num_pieces = 3;
+    const Pieces plain = cut(graph, options, clock);
+    EXPECT_NE(plain.piece_of_node[0], plain.piece_of_node[108]) << "the sliver is a piece";
+    const Pieces rooms = cut_into(graph, 3, SubmapLimits{}, {}, clock);
+    expect_partition(graph, rooms);
+    ASSERT_EQ(rooms.count, 3U);
+    for (std::uint32_t node = 0; node < 108; ++node) {
+        EXPECT_EQ(rooms.piece_of_node[node], rooms.piece_of_node[node / 36 * 36]) << node;
+    }
+    EXPECT_EQ(rooms.piece_of_node[108], rooms.piece_of_node[0]);
+}
+
+/// Three submaps: 0 and 1 joined by weight 3 over 4 + 4 m^2, 1 and 2 by weight 1 over 4 + 2 m^2.
+struct ThreeSubmaps {
+    Graph graph = build_graph(
+        std::vector<WeightedEdge>{{0, 1, 1.0}, {1, 2, 3.0}, {2, 3, 1.0}, {3, 4, 1.0}, {4, 5, 1.0}},
+        {2.0, 2.0, 2.0, 2.0, 1.0, 1.0});
+    Pieces pieces{{0, 0, 1, 1, 2, 2}, 3, {}};
+};
+
+TEST(Submaps, FuseByTheRelativeCoefficient) {
+    // Eq. (11): r(0, 1) = 3 / 8, r(1, 2) = 1 / 6.
+    const ThreeSubmaps three;
+    SubmapLimits limits;
+    limits.min_area_m2 = 0.0;
+    limits.min_relation_per_m = 0.3;
+    EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).piece_of_node,
+              (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1}));
+    limits.min_relation_per_m = 0.4;
+    EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).count, 3U);
+    // After the first fuse the coefficient of what is left is 1 / 10.
+    limits.min_relation_per_m = 0.11;
+    EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).count, 2U);
+    limits.min_relation_per_m = 0.09;
+    EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).count, 1U);
+}
+
+TEST(Submaps, SmallOnesAreFusedWhateverTheirRelation) {
+    const ThreeSubmaps three;
+    SubmapLimits limits;
+    limits.min_relation_per_m = 100.0;
+    limits.min_area_m2 = 3.0;
+    EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).piece_of_node,
+              (std::vector<std::uint32_t>{0, 0, 1, 1, 1, 1}));
+}
+
+TEST(Submaps, FuseToANumber) {
+    const ThreeSubmaps three;
+    EXPECT_EQ(fuse_submaps_to(three.graph, three.pieces, 2).piece_of_node,
+              (std::vector<std::uint32_t>{0, 0, 1, 1, 1, 1}));
+    EXPECT_EQ(fuse_submaps_to(three.graph, three.pieces, 1).count, 1U);
+    EXPECT_EQ(fuse_submaps_to(three.graph, three.pieces, 5).count, 3U);
+    const Graph apart = rooms_in_a_row(3, 2, 2, 0.0);
+    const Pieces rooms{{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2}, 3, {}};
+    EXPECT_EQ(fuse_submaps_to(apart, rooms, 1).count, 3U) << "components stay apart";
+}
+
+}  // namespace
+}  // namespace quadcut

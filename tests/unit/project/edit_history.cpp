@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "project/edit_history.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/file.hpp"
+#include "project/project.hpp"
+#include "tests/unit/follow/followed.hpp"
+#include "tests/unit/io/scratch.hpp"
+
+namespace quadcut::store {
+namespace {
+
+using io::test::error_of;
+using io::test::ScratchFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+LogPosition some_log() {
+    LogPosition position;
+    position.log = "robot.log";
+    return position;
+}
+
+/// A project of two rooms: 1 on the left, 2 on the right.
+std::filesystem::path two_rooms(const ScratchFolder& folder) {
+    const auto path = folder.path() / "p.quadcut";
+    Project project = Project::create(path, {}, some_log());
+    Follower follower = project.follower();
+    follower.update_cells(test::hall_with_wall());
+    project.save(follower, some_log());
+    return path;
+}
+
+/// Opens the project anew, does something with it, and saves.
+template <typename Action>
+void with_project(const std::filesystem::path& path, const Action& action) {
+    Project project(path, Access::write);
+    Follower follower = project.follower();
+    action(project, follower);
+    project.save(follower, project.position());
+}
+
+void rename(const std::filesystem::path& path, std::uint32_t room, const std::string& name) {
+    with_project(path, [&](Project& project, Follower& follower) {
+        const Edited edited = follower.rename(RoomId{room}, name);
+        project.add({"rename", RoomId{room}, {}, name, {}, follower.num_scans()}, edited);
+    });
+}
+
+void merge(const std::filesystem::path& path) {
+    with_project(path, [&](Project& project, Follower& follower) {
+        project.add({"merge", RoomId{1}, RoomId{2}, "", {}}, follower.merge(RoomId{1}, RoomId{2}));
+    });
+}
+
+void undo(const std::filesystem::path& path) {
+    with_project(path, [](Project& project, Follower& follower) { project.undo(follower); });
+}
+
+void redo(const std::filesystem::path& path) {
+    with_project(path, [](Project& project, Follower& follower) { project.redo(follower); });
+}
+
+std::vector<EditState> states(const std::filesystem::path& path) {
+    std::vector<EditState> states;
+    for (const EditRecord& edit : Project(path, Access::read).edits()) states.push_back(edit.state);
+    return states;
+}
+
+std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
+    return Project(path, Access::read).follower().followed().at(room).name;
+}
+
+TEST(EditHistory, UndoAndRedoSurviveARestart) {
+    const ScratchFolder folder;
+    const auto path = two_rooms(folder);
+    const auto labels = [&] {
+        return Project(path, Access::read).follower().rooms().labels.values;
+    };
+    const auto before = labels();
+    rename(path, 2, "Store");
+    rename(path, 1, "Kitchen");
+    merge(path);
+    const auto after = labels();
+    EXPECT_EQ(Project(path, Access::read).follower().num_rooms(), 1U);
+    undo(path);
+    EXPECT_EQ(labels(), before);
+    EXPECT_EQ(name_of(path, 2), "Store");
+    undo(path);
+    EXPECT_EQ(name_of(path, 1), "") << "the default name";
+    EXPECT_THAT(states(path), ElementsAre(EditState::done, EditState::undone, EditState::undone));
+    redo(path);
+    EXPECT_EQ(name_of(path, 1), "Kitchen");
+    redo(path);
+    EXPECT_EQ(labels(), after);
+    EXPECT_THAT(error_of([&] { redo(path); }), HasSubstr("nothing to redo"));
+    for (int i = 0; i < 3; ++i) undo(path);
+    EXPECT_THAT(error_of([&] { undo(path); }), HasSubstr("nothing to undo"));
+    EXPECT_EQ(labels(), before);
+}
+
+TEST(EditHistory, ANewEditDropsWhatWasUndone) {
+    const ScratchFolder folder;
+    const auto path = two_rooms(folder);
+    rename(path, 1, "One");
+    rename(path, 1, "Two");
+    rename(path, 1, "Three");
+    undo(path);
+    undo(path);
+    rename(path, 1, "Four");
+    EXPECT_THAT(error_of([&] { redo(path); }), HasSubstr("nothing to redo"));
+    undo(path);
+    EXPECT_EQ(name_of(path, 1), "One");
+    redo(path);
+    EXPECT_EQ(name_of(path, 1), "Four");
+    EXPECT_THAT(states(path), ElementsAre(EditState::done, EditState::dropped, EditState::dropped,
+                                          EditState::done));
+    undo(path);
+    undo(path);
+    EXPECT_EQ(name_of(path, 1), "");
+}
+
+TEST(EditHistory, WhatCannotBeUndoneIsSaidAndNothingChanges) {
+    const ScratchFolder folder;
+    const auto path = two_rooms(folder);
+    merge(path);
+    with_project(path, [](Project&, Follower& follower) {
+        follower.update_cells(Raster<CellState>({100, 10}, 150, 100, CellState::occupied));
+    });
+    EXPECT_THAT(error_of([&] { undo(path); }),
+                HasSubstr("edit 1 cannot be undone after what was seen since: the floor of one"));
+    EXPECT_THAT(states(path), ElementsAre(EditState::done));
+    EXPECT_EQ(Project(path, Access::read).integrity(), "ok");
+}
+
+/// A file as version 1 wrote it, with an edit.
+std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
+    const auto path = two_rooms(folder);
+    Database database(path, Access::write);
+    for (const char* const table : {"undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+        database.run(std::string("DROP TABLE ") + table);
+    }
+    database.run(
+        "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
+        "VALUES(0, 'rename', 1, 0, 'Kitchen', 0, 0, 0, 0)");
+    database.run("UPDATE rooms SET name = 'Kitchen' WHERE id = 1");
+    database.run("PRAGMA user_version=1");
+    return path;
+}
+
+TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
+    const ScratchFolder folder;
+    const auto path = project_of_version_1(folder);
+    EXPECT_THAT(states(path), ElementsAre(EditState::fixed));
+    EXPECT_EQ(name_of(path, 1), "Kitchen");
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1);
+    static_cast<void>(Project(path, Access::write));
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1) << "not saved";
+    rename(path, 2, "Store");
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 2);
+    EXPECT_THAT(states(path), ElementsAre(EditState::fixed, EditState::done));
+    undo(path);
+    EXPECT_THAT(error_of([&] { undo(path); }), HasSubstr("edit 1 was made by a version"));
+    EXPECT_EQ(name_of(path, 1), "Kitchen");
+    EXPECT_EQ(Project(path, Access::read).integrity(), "ok");
+}
+
+TEST(EditHistory, RowsThatCannotBeAreRefused) {
+    const ScratchFolder folder;
+    const auto path = two_rooms(folder);
+    merge(path);
+    const std::string good = io::read_file(path);
+    for (const std::string sql :
+         {"UPDATE undo SET state = 'perhaps'", "UPDATE undo SET border = 3",
+          "UPDATE undo SET border = 'join'", "UPDATE undo SET border = 'wall'",
+          "UPDATE undo_rooms SET room = -1", "UPDATE undo_rooms SET name = x'00'",
+          "UPDATE undo_rooms SET locked = 2", "UPDATE undo_cells SET x = 1e9",
+          "UPDATE undo_cells SET x = x + 100000", "DELETE FROM undo_cells",
+          "UPDATE undo_cells SET cells = 'all'", "UPDATE edits SET room = 4711",
+          "UPDATE edits SET other = 1", "UPDATE edits SET other = 60000",
+          "UPDATE edits SET kind = NULL", "UPDATE edits SET from_x = 1e300",
+          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)"}) {
+        io::write_file_atomically(path, good);
+        Database(path, Access::write).run(sql);
+        EXPECT_NE(error_of([&] { undo(path); }), "no error") << sql;
+    }
+    // Names that nobody could give are read as they are.
+    io::write_file_atomically(path, good);
+    Database(path, Access::write).run("UPDATE undo_rooms SET name = CAST(x'ff0a1b' AS TEXT)");
+    undo(path);
+    static_cast<void>(Project(path, Access::read).follower().rooms());
+}
+
+}  // namespace
+}  // namespace quadcut::store
