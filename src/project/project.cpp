@@ -23,8 +23,7 @@ constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 void write_options(const Database& database, FollowOptions options) {
     Statement insert(database, "INSERT INTO options VALUES(?, ?)");
     for (const OptionField& field : option_fields(options.segment)) {
-        // The result is the same on any number of threads.
-        if (field.name == "threads") continue;
+        if (field.decides != Decides::result) continue;
         const std::string value = io::option_text(field);
         insert.bind(1, field.name).bind(2, std::string_view(value)).run();
     }
@@ -207,11 +206,9 @@ void Project::read_position() {
     position_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
 }
 
-Follower Project::follower(std::size_t num_threads) const {
+Follower Project::follower(const RunOptions& run) const {
     try {
-        FollowOptions options = options_;
-        options.segment.num_threads = num_threads;
-        return Follower(options, read_state(database_));
+        return Follower(options_, read_state(database_), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
