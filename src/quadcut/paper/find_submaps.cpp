@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "quadcut/paper/submaps.hpp"
-#include "quadcut/spectral/null_space.hpp"
 
 namespace quadcut {
 namespace {
@@ -14,10 +13,7 @@ namespace {
 /// Components of the paper's graph with at least the given area; nodes ascending.
 std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
                                                      const PaperOptions& options) {
-    const std::vector<std::uint32_t> component =
-        options.component_search == ComponentSearch::traversal
-            ? connected_components(graph)
-            : components_from_null_space(graph, options.laplacian);
+    const std::vector<std::uint32_t> component = connected_components(graph);
     const std::size_t count =
         component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
     std::vector<double> area_m2(count, 0.0);
@@ -46,23 +42,14 @@ Submaps find_submaps(const Graph& graph, const PaperOptions& options, std::uint6
     Submaps submaps;
     submaps.nodes = nodes_of_large_components(graph, options);
     const Graph region = induced_subgraph(graph, submaps.nodes);
-    CutOptions cut_options;
-    cut_options.laplacian = options.laplacian;
-    cut_options.num_pieces = options.num_submaps;
-    cut_options.max_pieces = options.max_submaps;
-    cut_options.min_silhouette = options.min_silhouette;
-    cut_options.row_scaling = options.row_scaling;
-    cut_options.seed = seed;
-    const SubmapLimits limits{options.min_submap_m2, options.max_submap_m2, options.max_route_edges,
-                              options.min_relation_per_m};
     Pieces& pieces = submaps.pieces;
     if (options.num_submaps != 0) {
-        pieces = cut_into(region, options.num_submaps, limits, cut_options, clock, executor);
+        pieces = cut_into(region, options.num_submaps, options, seed, clock, executor);
     } else {
-        pieces = cut(region, cut_options, clock, executor);
-        pieces = divide_submaps(region, std::move(pieces), limits, cut_options, clock, executor);
+        pieces = cut(region, options, seed, clock, executor);
+        pieces = divide_submaps(region, std::move(pieces), options, seed, clock, executor);
         clock.begin("fuse");
-        pieces = fuse_submaps(region, std::move(pieces), limits);
+        pieces = fuse_submaps(region, std::move(pieces), options);
     }
     return submaps;
 }
