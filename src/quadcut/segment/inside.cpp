@@ -34,17 +34,24 @@ std::vector<Cell> visited_cells(const GridMap& map, std::span<const Point> traje
 
 Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
                             double min_area_m2, const Executor& executor) {
-    const FreeComponents free = find_free_components(map.states, executor);
+    const ConnectedParts free = free_parts(map.states, executor);
     const double min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
-    std::vector<bool> kept;
-    for (const FreeComponents::Component& component : free.components) {
-        kept.push_back(static_cast<double>(component.num_cells) >= min_cells);
+    std::vector<std::uint8_t> kept;
+    for (const std::size_t num_cells : free.num_cells()) {
+        kept.push_back(num_cells > 0 && static_cast<double>(num_cells) >= min_cells ? 1 : 0);
     }
-    const auto outside = find_outside(free, static_cast<std::size_t>(std::ceil(min_cells)));
-    if (outside && !components_with(free, visited_cells(map, trajectory))[*outside]) {
-        kept[*outside] = false;
-    }
-    return mask_of(free, kept, executor);
+    const std::uint32_t outside =
+        find_outside(free, static_cast<std::size_t>(std::ceil(min_cells)));
+    const std::vector<Cell> visited = visited_cells(map, trajectory);
+    const Cell origin = map.states.origin;
+    const bool is_entered = std::any_of(visited.begin(), visited.end(), [&](Cell cell) {
+        return free.part_at(static_cast<std::uint32_t>(cell.x - origin.x),
+                            static_cast<std::size_t>(cell.y - origin.y)) == outside;
+    });
+    if (!is_entered) kept[outside] = 0;
+    auto mask = Raster<std::uint8_t>::unset(map.states.box());
+    free.paint(kept, mask, executor);
+    return mask;
 }
 
 }  // namespace quadcut

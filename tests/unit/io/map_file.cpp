@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/error.hpp"
+#include "tests/unit/map/log_odds.hpp"
 #include "tests/unit/map/reference_tree.hpp"
 
 namespace quadcut {
@@ -21,7 +22,7 @@ constexpr std::size_t kFirstTileByte = 76;
 OccupancyMap small_map() {
     OccupancyMap map(0.05, {1.0, -2.0, 0.25});
     map.set_state({-3, 7}, CellState::free);
-    map.add_log_odds({-3, 8}, 2);
+    test::add_log_odds(map, {-3, 8}, 2);
     for (std::int32_t i = 0; i < 64; ++i) {
         map.set_state({100 + i % 8 + 4, 16 + i / 8}, CellState::free);
     }
