@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/inside.hpp"
 
 namespace quadcut::io {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/components.hpp"
 #include "quadcut/map/connected_parts.hpp"
 
 namespace quadcut::io {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/map/reference_tree.hpp"
 

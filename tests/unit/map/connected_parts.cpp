@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 
 #include <numeric>
 #include <string>
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/random.hpp"
+#include "quadcut/segment/inside.hpp"
 #include "tests/unit/map/reference_tree.hpp"
 
 namespace quadcut {
