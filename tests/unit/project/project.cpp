@@ -93,8 +93,8 @@ TEST(Project, EditsAreRowsThatStay) {
         Follower follower = project.follower();
         follower.update_cells(test::bare_hall());
         const RoomId hall = follower.room_at({9.0, 3.0});
-        project.add({"rename", hall, {}, "Hall", {}}, follower.rename(hall, "Hall"));
-        const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
+        project.add({"rename", hall, {}, "Hall", {}}, follower.edit(test::rename(hall, "Hall")));
+        const Edited split = follower.edit(test::split({4.0, 1.0}, {4.0, 5.0}));
         project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
         project.save(follower, some_log());
     }
