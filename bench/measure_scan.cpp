@@ -27,7 +27,6 @@ namespace {
 
 constexpr double kResolution = 0.05;
 constexpr int kRepeats = 9;
-constexpr BeamLimits kLimits{30.0 / kResolution, 0.2 / kResolution, 1.0};
 
 struct Sight {
     std::vector<Beam> beams;
@@ -39,7 +38,7 @@ struct Sight {
 
 Sight sight_of(const Scan& scan) {
     const Pose& pose = scan.world_from_sensor;
-    return {beams_of(scan, pose.yaw_rad, kResolution, kLimits),
+    return {beams_of(scan, pose.yaw_rad, kResolution, {}),
             {pose.x / kResolution, pose.y / kResolution},
             pose.yaw_rad,
             scan.first_angle_rad,

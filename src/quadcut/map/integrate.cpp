@@ -14,7 +14,6 @@
 namespace quadcut {
 namespace {
 
-constexpr double kMaxRangeCells = 8192.0;
 constexpr double kMaxAngle = 1e6;
 
 // The sensor in the map, in cells.
@@ -32,15 +31,6 @@ Pose sensor_in_cells(const OccupancyMap& map, const Scan& scan) {
     const Pose map_from_sensor = compose(inverse(map.world_from_map()), pose);
     return {map_from_sensor.x / map.resolution_m(), map_from_sensor.y / map.resolution_m(),
             map_from_sensor.yaw_rad};
-}
-
-BeamLimits limits_in_cells(const OccupancyMap& map, const IntegrateOptions& options) {
-    const double usable_range = options.usable_range_m / map.resolution_m();
-    if (!(usable_range > 0.0 && usable_range <= kMaxRangeCells)) {
-        throw InputError("scan: the usable range is " + std::to_string(usable_range) +
-                         " cells, expected 1 to 8192");
-    }
-    return {usable_range, options.widest_gap_m / map.resolution_m(), options.margin_cells};
 }
 
 // How far along the line, 0 .. 1, the first wall stands that the map is sure of; nothing if none.
@@ -157,8 +147,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
                                       const IntegrateOptions& options) {
     const Pose pose = sensor_in_cells(map, scan);
     const Point sensor{pose.x, pose.y};
-    std::vector<Beam> beams =
-        beams_of(scan, pose.yaw_rad, map.resolution_m(), limits_in_cells(map, options));
+    std::vector<Beam> beams = beams_of(scan, pose.yaw_rad, map.resolution_m(), options);
     stop_at_walls(beams, map, sensor, options);
     // Eq. (10): the leaves in the sensor's range and in sight are those of these cells.
     const ScanCells cells = cells_of(beams, sensor, scan.angle_step_rad);

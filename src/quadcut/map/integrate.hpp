@@ -27,6 +27,9 @@ struct IntegrateOptions {
     int miss = -1;                  ///< added where the scan saw free space
 };
 
+/// No beam is used further.
+inline constexpr double kMaxRangeCells = 8192.0;
+
 /// The most cells that the box around all that scans see may have: 820 m x 820 m at 5 cm.
 inline constexpr std::int64_t kMaxCellsOfScans = std::int64_t{1} << 28;
 

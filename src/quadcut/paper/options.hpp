@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "quadcut/base/option_field.hpp"
@@ -12,9 +11,6 @@
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
-
-/// How the connected components of the paper's graph are found.
-enum class ComponentSearch : std::uint8_t { traversal, null_space };
 
 /// The preset `paper`.
 struct PaperOptions {
@@ -25,7 +21,6 @@ struct PaperOptions {
     LaplacianKind laplacian = LaplacianKind::degree;
     RowScaling row_scaling = RowScaling::none;
     SelfLoops self_loops = SelfLoops::own_weight;
-    ComponentSearch component_search = ComponentSearch::traversal;
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;

@@ -9,9 +9,9 @@
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
