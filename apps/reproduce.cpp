@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/output_folder.hpp"
 #include "apps/run_flags.hpp"
 
 namespace quadcut {

@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/id_switches.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/segment/segment.hpp"
