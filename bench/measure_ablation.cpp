@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // What each ingredient is worth: hand-labelled maps with one thing changed at a time.
-//   micro_ablation [BUILDING] [--simulated N] [-o FILE.json]
+//   measure_ablation [BUILDING] [--simulated N] [-o FILE.json]
 // tools/train/ablation.py runs it with each building left out of the training of the door model,
 // and makes the table.
 #include <chrono>
@@ -11,10 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
+#include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/segment/segment.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // How well the door model tells doors from bulges, cut by cut, and the samples it is trained on:
-//   micro_doors [-o SAMPLES.csv] [--buildings N]
+//   measure_doors [-o SAMPLES.csv] [--buildings N]
 // Cuts are decided as the truth has it, the least door-like first, as fuse() does: so a sample
 // stands for a decision that really comes up. See docs/decisions/0008-door-model.md.
 #include <algorithm>
@@ -15,9 +15,10 @@
 #include <tuple>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/resampling.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/rooms/basins.hpp"
@@ -35,7 +36,7 @@ namespace {
 
 /// Smaller regions are joined anyway; what their truth is says little.
 constexpr double kMinAreaM2 = 0.5;
-/// Other directions and resolutions than those that micro_invariance tries.
+/// Other directions and resolutions than those that measure_invariance tries.
 constexpr std::array<double, 3> kTurnedDegrees{17.0, 37.0, 60.0};
 constexpr std::array<double, 2> kScaled{0.7, 1.5};
 /// From these log-odds on a cut is kept.
