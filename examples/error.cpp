@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
 #include <limits>
+
 #include <quadcut/error.hpp>
 #include <quadcut/map.hpp>
 #include <quadcut/scan.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
+
 #include <quadcut/map.hpp>
 
 int main() {
@@ -12,6 +13,6 @@ int main() {
 
     // A finished map: what segment() cuts.
     const quadcut::GridMap grid = map.to_grid();
-    std::cout << grid.states.width << " x " << grid.states.height << " cells, lower left at x = "
-              << grid.map_from_image.x << " m\n";
+    std::cout << grid.states.width << " x " << grid.states.height
+              << " cells, lower left at x = " << grid.map_from_image.x << " m\n";
 }
