@@ -13,7 +13,6 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
@@ -29,6 +28,8 @@
 #include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
+#include "io/scan_source.hpp"
+#include "io/scanned_map.hpp"
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -53,13 +54,19 @@ struct Input {
 
 Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
                    Progress& progress) {
-    LogMap log = map_log(std::move(file), poses_of(arguments),
-                         resolution_of(arguments).value_or(kLogResolution), clock, progress);
+    const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    const auto source =
+        io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
+    const io::SourceFacts& facts = source->facts();
+    clock.begin("map");
+    io::ScannedMap scanned = io::map_scans(*source, resolution_m, [&](std::size_t num_done) {
+        progress.update(num_done, facts.num_scans, {"scans", {}});
+    });
     Input input;
-    input.map = std::move(log.map);
-    input.trajectory = std::move(log.trajectory);
-    input.warnings = std::move(log.warnings);
-    input.content_hash = log.content_hash;
+    input.map = std::move(scanned.map);
+    input.trajectory = std::move(scanned.trajectory);
+    input.warnings = facts.warnings;
+    input.content_hash = facts.content_hash;
     input.is_log = true;
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(

@@ -162,6 +162,21 @@ def simulated(_: Path) -> Iterator[Case]:
             ("out/rooms.png", "input/rooms.png", "input/map.pgm"), 2)
 
 
+    yield from with_options()
+
+
+def with_options() -> Iterator[Case]:
+    """Options that users turn, one building each."""
+    options = (("--granularity", "0"), ("--granularity", "1"), ("--door-width", "1"),
+               ("--preset", "paper", "--submaps", "6"), ("--preset", "paper", "--set", "seed=2"),
+               ("--resolution", "0.1"), ("--poses", "input/true_poses.tum"))
+    for seed, words in enumerate(options, 31):
+        source = "input/map.yaml" if words[0] not in ("--resolution", "--poses") else "input/robot.log"
+        yield Case(f"simulated/options/{seed}", (
+            ("simulate", "-o", "input", "--seed", f"{seed}", "--json"),
+            ("segment", source, "-o", "out", *words, "--json")))
+
+
 def demonstrated(_: Path) -> Iterator[Case]:
     for seed in range(1, 5):
         yield Case(f"demo/default/{seed:02}", (
@@ -181,6 +196,9 @@ def changed(_: Path) -> Iterator[Case]:
     yield Case("project/edits/05", (
         SMALL_BUILDING, ("follow", "input/robot.log", "-o", "out", "--project", project, "--json"),
         *(("edit", project, *edit, "--json") for edit in edits), *looks), (), 2)
+    yield Case("project/folder/05", (
+        SMALL_BUILDING, ("segment", "input/map.yaml", "-o", "out", "--json"), ("rooms", "out", "--json"),
+        ("locate", "out", "9.4", "0.6", "--json"), ("export", "out", "-o", "exported", "--json")))
     yield Case("project/mapped_again/05", (
         SMALL_BUILDING, with_another_wall("input", "input/again"),
         ("segment", "input/map.yaml", "-o", "out", "--json"),

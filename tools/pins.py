@@ -166,59 +166,68 @@ def write_pins(folder: Path, pins: Pins) -> None:
 
 # ---- the commands
 
-def choose(groups: dict[str, Group], shared: Path, only: str) -> tuple[list[Case], bool]:
-    """The cases that can be run here, and whether that is all of them."""
-    cases, is_all = [], True
-    for name, group in groups.items():
-        if group.needs_shared and not shared.is_dir():
-            is_all &= not re.search(only, f"{name}/")
-        else:
-            cases += [case for case in group.cases(shared) if re.search(only, case.name)]
-    return cases, is_all
+def choose(groups: dict[str, Group], shared: Path, only: str) -> list[Case]:
+    """The cases of these names that can be run here."""
+    return [case for group in groups.values() if shared.is_dir() or not group.needs_shared
+            for case in group.cases(shared) if re.search(only, case.name)]
+
+
+def choose_pins(groups: dict[str, Group], shared: Path, only: str, pins: Pins) -> tuple[Pins, Pins]:
+    """The pins of these names; and of them those whose cases cannot be run here."""
+    chosen = {name: pin for name, pin in pins.items() if re.search(only, name)}
+    away = {name for name, group in groups.items() if group.needs_shared and not shared.is_dir()}
+    return chosen, {name: pin for name, pin in chosen.items() if name.split("/")[0] in away}
 
 
 def differing(pinned: Pin, found: Pin) -> list[str]:
+    score = [f"score {pinned.score} -> {found.score}"] if pinned.score != found.score else []
     names = sorted(pinned.files.keys() | found.files.keys())
-    said = [name + (" (new)" if name not in pinned.files else
-                    " (gone)" if name not in found.files else "")
-            for name in names if pinned.files.get(name) != found.files.get(name)]
-    return said + ([f"score {pinned.score} -> {found.score}"] if pinned.score != found.score else [])
+    return score + [name + (" (new)" if name not in pinned.files else
+                            " (gone)" if name not in found.files else "")
+                    for name in names if pinned.files.get(name) != found.files.get(name)]
 
 
-def tell_differences(told: dict[str, list[str]], num_cases: int) -> None:
-    for name in sorted(told)[:MAX_TOLD]:
-        shown = told[name][:8] + ([f"{len(told[name]) - 8} more"] if len(told[name]) > 8 else [])
-        print(f"{name}: {', '.join(shown)}")
-    if len(told) > MAX_TOLD:
-        print(f"... and {len(told) - MAX_TOLD} more cases")
-    files = Counter(re.sub(r".*/| \(.*", "", name) for names in told.values() for name in names
-                    if not name.startswith("score "))
-    print(f"{len(told)} of {num_cases} cases differ from tests/pins: "
-          + ", ".join(f"{name} in {count}" for name, count in files.most_common(8)))
+def told(lines: dict[str, str]) -> str:
+    """Sorted, and not too many."""
+    shown = [f"{name}: {line}" for name, line in sorted(lines.items())[:MAX_TOLD]]
+    return "\n".join(shown + [f"... and {len(lines) - MAX_TOLD} more"] * (len(lines) > MAX_TOLD))
+
+
+def kinds(differences: dict[str, list[str]]) -> str:
+    """Files by name, whatever the folder, and in how many places each differs."""
+    counts = Counter(re.sub(r"^score .*", "score", re.sub(r".*/| \(.*", "", one))
+                     for what in differences.values() for one in what)
+    return ", ".join(f"{kind} {count}" for kind, count in counts.most_common(10))
+
+
+def tell_differences(differences: dict[str, list[str]], num_cases: int) -> None:
+    print(told({name: ", ".join(what[:6] + [f"{len(what) - 6} more"] * (len(what) > 6))
+                for name, what in differences.items()}))
+    print(f"{len(differences)} of {num_cases} cases differ from tests/pins: {kinds(differences)}")
     print("Where that is meant, `tools/pins.py renew` pins what is now, in a commit of its own.")
 
 
 def check(groups: dict[str, Group], program: Path, shared: Path, folder: Path, only: str) -> int:
-    cases, is_all = choose(groups, shared, only)
-    if not is_all:
-        print(f"{shared.parent} is not there: cases that need its maps and logs are skipped")
-    if not cases and not is_all:
-        return SKIPPED
-    pinned = {name: pin for name, pin in read_pins(folder).items() if re.search(only, name)}
+    cases = choose(groups, shared, only)
+    pinned, away = choose_pins(groups, shared, only, read_pins(folder))
+    if away:
+        print(f"{len(away)} cases need the maps and logs of {shared}, which is not there: skipped")
+        if not cases:
+            return SKIPPED
     found, failed = run_cases([case for case in cases if case.name in pinned], program, shared)
-    told = {name: [reason] for name, reason in failed.items()}
-    told |= {name: names for name, pin in found.items() if (names := differing(pinned[name], pin))}
     known = {case.name for case in cases}
-    if is_all:
-        told |= {name: ["there is no such case"] for name in pinned.keys() - known}
+    failed |= {name: "there is no such case; renew forgets it" for name in pinned.keys() - away.keys() - known}
     if known - pinned.keys():
-        print(f"not pinned yet: {', '.join(sorted(known - pinned.keys())[:MAX_TOLD])}")
-    if told:
-        tell_differences(told, len(pinned))
-        return 1
-    num_files = sum(len(pin.files) for pin in found.values())
-    print(f"{len(found)} cases, {num_files} files: as pinned")
-    return 0 if found else 1
+        print(told({name: "not pinned yet" for name in known - pinned.keys()}))
+    differences = {name: what for name, pin in found.items() if (what := differing(pinned[name], pin))}
+    if failed:
+        print(told(failed))
+    if differences:
+        tell_differences(differences, len(found))
+    elif found and not failed:
+        num_files = sum(len(pin.files) for pin in found.values())
+        print(f"{len(found)} cases, {num_files} files: as pinned")
+    return 0 if found and not failed and not differences else 1
 
 
 def tell_scores(before: Pins, after: Pins) -> None:
@@ -243,20 +252,20 @@ def tell_scores(before: Pins, after: Pins) -> None:
 
 
 def renew(groups: dict[str, Group], program: Path, shared: Path, folder: Path, only: str) -> int:
-    cases, is_all = choose(groups, shared, only)
-    if not is_all:
-        sys.exit(f"{shared.parent} is not there: nothing is renewed; --only REGEX chooses other cases")
-    found, failed = run_cases(cases, program, shared)
-    if failed:
-        sys.exit("\n".join([*(f"{name}: {failed[name]}" for name in sorted(failed)[:MAX_TOLD]),
-                            "nothing is renewed"]))
     before = read_pins(folder)
-    after = {name: pin for name, pin in before.items() if not re.search(only, name)} | found
+    chosen, away = choose_pins(groups, shared, only, before)
+    if away:
+        sys.exit(f"{shared} is not there: nothing is renewed; --only REGEX chooses other cases")
+    found, failed = run_cases(choose(groups, shared, only), program, shared)
+    if failed:
+        sys.exit(told(failed) + "\nnothing is renewed")
+    after = {name: pin for name, pin in before.items() if name not in chosen} | found
     write_pins(folder, after)
     tell_scores(before, after)
-    num_changed = sum(before.get(name) != pin for name, pin in found.items())
-    print(f"{num_changed} of {len(found)} cases are pinned anew, {len(before.keys() - after.keys())} "
-          "are no more")
+    changed = {name: what for name, pin in found.items()
+               if (what := differing(before.get(name, Pin()), pin))}
+    print(f"{len(changed)} of {len(found)} cases are pinned anew, {len(before.keys() - after.keys())} "
+          f"are no more. What differs: {kinds(changed) or 'nothing'}")
     return 0
 
 
@@ -266,8 +275,10 @@ def main() -> int:
     parser.add_argument("command", choices=("check", "renew"))
     parser.add_argument("--only", default="", metavar="REGEX", help="cases by name")
     parser.add_argument("--program", default=ROOT / "build/release/quadcut", type=Path)
+    parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path,
+                        help="the folder of maps and logs, unless QUADCUT_SHARED names it")
     options = parser.parse_args()
-    shared = Path(os.environ.get("QUADCUT_SHARED", ROOT.parent / "shared")).resolve() / "data"
+    shared = Path(os.environ.get("QUADCUT_SHARED", options.shared)).resolve() / "data"
     command = {"check": check, "renew": renew}[options.command]
     return command(GROUPS, options.program.resolve(), shared, ROOT / "tests/pins", options.only)
 

@@ -182,22 +182,37 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
     return update;
 }
 
-OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+OccupancyMap map_from_scans(const NextScan& next, double resolution_m,
                             const IntegrateOptions& options, const ScanProgress& progress) {
     // The tree is brought up to date now and then, which keeps the map collapsed.
     constexpr std::size_t kScansPerCommit = 16;
     OccupancyMap map(resolution_m);
-    for (std::size_t i = 0; i < scans.size(); ++i) {
+    std::size_t num_done = 0;
+    while (const std::optional<Scan> scan = next()) {
         try {
-            add_evidence(map, evidence_of(map, scans[i], options), options);
+            add_evidence(map, evidence_of(map, *scan, options), options);
         } catch (const InputError& error) {
-            throw InputError("scan " + std::to_string(i) + ": " + error.what());
+            throw InputError("scan " + std::to_string(num_done) + ": " + error.what());
         }
-        if ((i + 1) % kScansPerCommit == 0 || i + 1 == scans.size()) map.commit();
-        if (progress) progress(i + 1);
+        if (++num_done % kScansPerCommit == 0) map.commit();
+        if (progress) progress(num_done);
     }
+    map.commit();
     map.shrink_to_fit();
     return map;
+}
+
+OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+                            const IntegrateOptions& options, const ScanProgress& progress) {
+    const auto next = [scans]() mutable {
+        std::optional<Scan> scan;
+        if (!scans.empty()) {
+            scan = scans.front();
+            scans = scans.subspan(1);
+        }
+        return scan;
+    };
+    return map_from_scans(next, resolution_m, options, progress);
 }
 
 }  // namespace quadcut

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,9 +67,14 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
 
 /// Called after each scan with how many are done.
 using ScanProgress = std::function<void(std::size_t num_done)>;
+/// Gives scans one by one; nothing at the end.
+using NextScan = std::function<std::optional<Scan>()>;
 
 /// The map of a whole log: the same as integrate_scan one by one. Errors name the scan, from 0 on.
 [[nodiscard]] OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+                                          const IntegrateOptions& options = {},
+                                          const ScanProgress& progress = {});
+[[nodiscard]] OccupancyMap map_from_scans(const NextScan& next, double resolution_m,
                                           const IntegrateOptions& options = {},
                                           const ScanProgress& progress = {});
 

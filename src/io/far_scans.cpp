@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "apps/far_scans.hpp"
+#include "io/far_scans.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "io/number_text.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 /// A scan that says something.
@@ -98,8 +98,8 @@ std::vector<Part> connected_parts(const std::vector<Sight>& sights) {
 /// "100 km", "1.41 km" or "340 m".
 std::string length_text(double length_m) {
     constexpr double kKilometre = 1000.0;
-    return length_m < kKilometre ? io::rounded(length_m, 0) + " m"
-                                 : io::rounded(length_m / kKilometre, 2) + " km";
+    return length_m < kKilometre ? rounded(length_m, 0) + " m"
+                                 : rounded(length_m / kKilometre, 2) + " km";
 }
 
 /// Takes parts and scans into one map while they fit, and says which do not.
@@ -152,8 +152,8 @@ public:
 private:
     void leave_out(const Sight& sight, const Box& box, std::int64_t allowed) {
         leave_out(sight.scan,
-                  "the pose (" + io::rounded(sight.at.x, 2) + ", " + io::rounded(sight.at.y, 2) +
-                      ") is " + length_text(distance(sight.at, middle_)) +
+                  "the pose (" + rounded(sight.at.x, 2) + ", " + rounded(sight.at.y, 2) + ") is " +
+                      length_text(distance(sight.at, middle_)) +
                       " from the middle of the others: with it the map would span " +
                       std::to_string(box.width()) + " x " + std::to_string(box.height()) +
                       " cells, expected at most " + std::to_string(allowed));
@@ -203,4 +203,4 @@ FarScans find_far_scans(std::span<const Scan> scans, double resolution_m,
     return selection.take();
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io

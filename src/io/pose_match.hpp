@@ -9,7 +9,7 @@
 #include "io/poses.hpp"
 #include "quadcut/map/scan.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 
 /// A pose counts for scans this long before the first one or after the last one, seconds (or scans,
 /// when poses are numbered).
@@ -29,7 +29,7 @@ struct PosedScans {
 /// of them, by more than kPoseReach, is left out. Throws InputError, beginning with `name`, when no
 /// scan is left.
 /// @pre poses is not empty.
-[[nodiscard]] PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,
+[[nodiscard]] PosedScans with_poses(std::vector<Scan> scans, std::vector<TimedPose> poses,
                                     const std::string& name);
 
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -12,7 +12,7 @@
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/scan.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 
 /// How large the map of a log may become: files and memory go with the box around all of it, seen
 /// or not. Poses are connected where a chain of them has gaps of up to kPoseGapM.
@@ -45,4 +45,4 @@ struct FarScans {
 [[nodiscard]] FarScans find_far_scans(std::span<const Scan> scans, double resolution_m,
                                       const ExtentLimit& limit = {});
 
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "apps/far_scans.hpp"
+#include "io/far_scans.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "quadcut/follow/follower.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 constexpr double kResolution = 0.05;
@@ -178,4 +178,4 @@ TEST(FarScans, AFollowerTakesAllThatIsKept) {
 }
 
 }  // namespace
-}  // namespace quadcut
+}  // namespace quadcut::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "apps/pose_match.hpp"
+#include "io/pose_match.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +11,17 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/geometry.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
-bool are_numbered(const std::vector<io::TimedPose>& poses, std::size_t num_scans) {
-    return std::all_of(poses.begin(), poses.end(), [num_scans](const io::TimedPose& pose) {
+bool are_numbered(const std::vector<TimedPose>& poses, std::size_t num_scans) {
+    return std::all_of(poses.begin(), poses.end(), [num_scans](const TimedPose& pose) {
         return pose.time_s == std::floor(pose.time_s) && pose.time_s >= 0.0 &&
                pose.time_s < static_cast<double>(num_scans);
     });
 }
 
-Pose between(const io::TimedPose& before, const io::TimedPose& after, double time_s) {
+Pose between(const TimedPose& before, const TimedPose& after, double time_s) {
     const double length = after.time_s - before.time_s;
     const double share = length > 0.0 ? (time_s - before.time_s) / length : 0.0;
     // The shorter way round.
@@ -33,10 +33,10 @@ Pose between(const io::TimedPose& before, const io::TimedPose& after, double tim
 }
 
 /// @pre poses are in order of time and not empty.
-std::optional<Pose> pose_at(const std::vector<io::TimedPose>& poses, double time_s) {
+std::optional<Pose> pose_at(const std::vector<TimedPose>& poses, double time_s) {
     const auto after =
         std::lower_bound(poses.begin(), poses.end(), time_s,
-                         [](const io::TimedPose& pose, double time) { return pose.time_s < time; });
+                         [](const TimedPose& pose, double time) { return pose.time_s < time; });
     if (after == poses.end()) {
         if (time_s - poses.back().time_s > kPoseReach) return std::nullopt;
         return poses.back().pose;
@@ -48,17 +48,14 @@ std::optional<Pose> pose_at(const std::vector<io::TimedPose>& poses, double time
     return between(*(after - 1), *after, time_s);
 }
 
-std::string span_text(double first, double last) {
-    return io::rounded(first) + " to " + io::rounded(last);
-}
+std::string span_text(double first, double last) { return rounded(first) + " to " + rounded(last); }
 
 }  // namespace
 
-PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,
+PosedScans with_poses(std::vector<Scan> scans, std::vector<TimedPose> poses,
                       const std::string& name) {
-    std::stable_sort(
-        poses.begin(), poses.end(),
-        [](const io::TimedPose& a, const io::TimedPose& b) { return a.time_s < b.time_s; });
+    std::stable_sort(poses.begin(), poses.end(),
+                     [](const TimedPose& a, const TimedPose& b) { return a.time_s < b.time_s; });
     const bool is_numbered = are_numbered(poses, scans.size());
     const std::size_t num_scans = scans.size();
     PosedScans posed;
@@ -83,4 +80,4 @@ PosedScans with_poses(std::vector<Scan> scans, std::vector<io::TimedPose> poses,
     return posed;
 }
 
-}  // namespace quadcut
+}  // namespace quadcut::io

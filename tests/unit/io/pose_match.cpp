@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "apps/pose_match.hpp"
+#include "io/pose_match.hpp"
 
 #include <cmath>
 #include <string>
@@ -10,7 +10,7 @@
 
 #include "quadcut/base/error.hpp"
 
-namespace quadcut {
+namespace quadcut::io {
 namespace {
 
 std::vector<Scan> scans_at(const std::vector<double>& times_s) {
@@ -73,4 +73,4 @@ TEST(WithPoses, NoneNearIsAnErrorThatSaysBothTimes) {
 }
 
 }  // namespace
-}  // namespace quadcut
+}  // namespace quadcut::io
