@@ -36,11 +36,12 @@ TEST(FilesOfStrangers, RoomsAreTheFilesOfTheProgram) {
 TEST(FilesOfStrangers, ScansComeOneByOneInTheirOrder) {
     const ScratchFolder folder;
     const std::string log = (folder.path() / "robot.log").string();
-    io::write_file_atomically(log, "FLASER 3 1.0 1.1 1.2 0 0 0 0 0 0 1.5 host 1.5\n"
-                                   "FLASER 3 2.0 2.1 2.2 1 0 0 1 0 0 2.5 host 2.5\n");
+    io::write_file_atomically(log,
+                              "FLASER 3 1.0 1.1 1.2 0 0 0 0 0 0 1.5 host 1.5\n"
+                              "FLASER 3 2.0 2.1 2.2 1 0 0 1 0 0 2.5 host 2.5\n");
     std::vector<float> first_ranges_m;
-    const auto warnings = read_scans(
-        log, [&](const Scan& scan) { first_ranges_m.push_back(scan.ranges_m.at(0)); });
+    const auto warnings =
+        read_scans(log, [&](const Scan& scan) { first_ranges_m.push_back(scan.ranges_m.at(0)); });
     EXPECT_EQ(first_ranges_m, (std::vector<float>{1.0F, 2.0F}));
     EXPECT_EQ(warnings, std::vector<std::string>());
     EXPECT_THROW(read_scans(folder.path() / "none.log", [](const Scan&) {}), InputError);
