@@ -19,3 +19,4 @@ int main() {
         std::cout << error.what() << '\n';
     }
 }
+// Prints: map: the point (inf, 0.000000) m lies more than 2^28 cells away
