@@ -3,14 +3,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
-#include "quadcut/paper/visibility.hpp"
-#include "quadcut/spectral/embedding.hpp"
-#include "quadcut/spectral/laplacian.hpp"
+#include "quadcut/spectral/options.hpp"
 
 namespace quadcut {
+
+struct OptionField;
+
+/// Rule 1 of the paper, "each node has max relevance in itself": the weight of a node's edge to
+/// itself.
+enum class SelfLoops : std::uint8_t {
+    /// No loop.
+    none,
+    /// Eq. (2) with i = j: half the node's side.
+    own_weight,
+    /// The largest weight that eq. (2) gives to any pair of the nodes: half the largest side.
+    largest_weight,
+};
 
 /// The preset `paper`.
 struct PaperOptions {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/spectral/options.hpp"
 
 namespace quadcut {
 
@@ -21,10 +22,6 @@ struct Embedding {
         return std::span(values).subspan(i * num_dims, num_dims);
     }
 };
-
-/// What is done to the rows of an embedding. `unit_length`: scaled to length 1 (Ng, Jordan, Weiss
-/// 2001); rows of zeros stay.
-enum class RowScaling : std::uint8_t { none, unit_length };
 
 /// Eqs. (5) and (6): the `num_dims` first eigenvectors as columns, each row a sample; all of them
 /// if there are fewer. O(samples * dims).
