@@ -52,7 +52,7 @@ struct Input {
     bool is_log = false;
 };
 
-Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
+Input input_of_log(const Arguments& arguments, io::Input file, StageClock& clock,
                    Progress& progress) {
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
     const auto source =
@@ -75,8 +75,8 @@ Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& c
     return input;
 }
 
-Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
-    io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
+Input input_of_map(const Arguments& arguments, io::Input bytes, io::FileBatch& output) {
+    io::MapFile file = io::parse_map(std::move(bytes).read_all(), map_read_options_of(arguments));
     output.protect(file.image_path);
     output.require_free(formats::result_files());
     Input input;
@@ -169,14 +169,14 @@ void run(const Arguments& arguments) {
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
     clock.begin("read");
-    KnownInput known = read_map_or_log(arguments.operands[0]);
+    KnownInput known = open_map_or_log(arguments.operands[0]);
     const std::vector<std::string> files = files_of(known.kind);
     io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.file), clock, progress)
-                      : input_of_map(arguments, std::move(known.file), output);
+                      ? input_of_log(arguments, std::move(known.input), clock, progress)
+                      : input_of_map(arguments, std::move(known.input), output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(options);
