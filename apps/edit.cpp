@@ -148,29 +148,36 @@ void print_history(const store::Project& project, SummaryStyle style) {
     }
 }
 
+/// The edit that words ask for.
+Edit edit_of(const std::string& action, const std::vector<std::string>& words,
+             const Follower& follower) {
+    Edit edit;
+    if (action == "split") {
+        edit.kind = EditKind::split;
+        edit.from = point_of(words[0], words[1]);
+        edit.to = point_of(words[2], words[3]);
+        return edit;
+    }
+    edit.room = room_of(words[0], follower);
+    if (action == "rename") edit.name = io::trimmed_room_name(words[1]);
+    if (action == "merge") {
+        edit.kind = EditKind::merge;
+        edit.other = room_of(words[1], follower);
+    }
+    if (action == "lock") edit.kind = EditKind::lock;
+    if (action == "unlock") edit.kind = EditKind::unlock;
+    return edit;
+}
+
 /// Makes an edit and says what it was.
 store::EditRecord make(const std::vector<std::string>& operands, Follower& follower,
                        store::Project& project) {
-    const std::vector<std::string> words(operands.begin() + 2, operands.end());
-    store::EditRecord record;
-    record.kind = operands[1];
-    record.scan = follower.num_scans();
-    if (record.kind != "split") record.room = room_of(words[0], follower);
-    Edited edited;
-    if (record.kind == "rename") {
-        edited = follower.rename(record.room, io::trimmed_room_name(words[1]));
-        record.name = follower.followed().at(static_cast<std::uint32_t>(record.room)).name;
-    } else if (record.kind == "merge") {
-        record.other = room_of(words[1], follower);
-        edited = follower.merge(record.room, record.other);
-    } else if (record.kind == "split") {
-        edited = follower.split(point_of(words[0], words[1]), point_of(words[2], words[3]));
-        record.room = edited.inverse.room;
-        record.other = edited.inverse.other;
-        record.line = edited.inverse.lines.front();
-    } else {
-        edited = record.kind == "lock" ? follower.lock(record.room) : follower.unlock(record.room);
-    }
+    const Edit edit = edit_of(operands[1], {operands.begin() + 2, operands.end()}, follower);
+    const Edited edited = follower.edit(edit);
+    const Reversal& inverse = edited.inverse;
+    store::EditRecord record{operands[1], inverse.room,         inverse.other,          edit.name,
+                             {},          follower.num_scans(), store::EditState::done, 0};
+    if (edit.kind == EditKind::split) record.line = inverse.lines.front();
     project.add(record, edited);
     record.number = project.edits().back().number;
     return record;

@@ -7,6 +7,7 @@
 #include "formats/results.hpp"
 #include "io/map_writer.hpp"
 #include "io/no_rooms_in_map.hpp"
+#include "quadcut/version.hpp"
 
 namespace quadcut {
 namespace {
@@ -17,7 +18,7 @@ constexpr const char* kUpdates = "updates.jsonl";
 
 io::RunInfo run_info_of(SegmentOptions& options) {
     io::RunInfo info;
-    info.version = QUADCUT_VERSION;
+    info.version = kVersion;
     info.options = option_fields(options);
     // The result is the same on any number of threads.
     std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });

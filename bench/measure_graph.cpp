@@ -28,7 +28,6 @@
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/paper/line_of_sight.hpp"
 #include "quadcut/paper/visibility.hpp"
-#include "quadcut/rooms/border_edges.hpp"
 
 namespace quadcut {
 namespace {
@@ -274,9 +273,6 @@ Json measure(const std::string& name, const GridMap& map) {
     json["sight"] = measure_edges(nodes.size(), [&](const Executor& executor) {
         return sight_edges(table, nodes, map.resolution_m, SelfLoops::none, executor);
     });
-    json["border"] = measure_edges(nodes.size(), [&](const Executor& executor) {
-        return border_edges(table, nodes, executor);
-    });
     const std::vector<WeightedEdge> edges =
         sight_edges(table, nodes, map.resolution_m, SelfLoops::own_weight);
     const std::vector<double> areas_m2 = leaf_areas_m2(table, nodes, map.resolution_m);
@@ -303,15 +299,13 @@ void print(const Json& json) {
     std::printf("%s: %zu free of %zu leaves\n", json["input"].get<std::string>().c_str(),
                 json["num_nodes"].get<std::size_t>(), json["num_leaves"].get<std::size_t>());
     if (!json.contains("sight")) return;
-    for (const char* kind : {"sight", "border"}) {
-        const Json& edges = json[kind];
-        std::printf(
-            "  %-7s %9zu edges, %5.1f entries a node, %8.2f ms of CPU, %8.2f ms on one thread, "
-            "%8.2f ms on two\n",
-            kind, edges["num_edges"].get<std::size_t>(), edges["entries_per_node"].get<double>(),
-            edges["cpu_ms"].get<double>(), edges["one_thread_wall_ms"].get<double>(),
-            edges["two_threads_wall_ms"].get<double>());
-    }
+    const Json& edges = json["sight"];
+    std::printf(
+        "  %9zu edges, %5.1f entries a node, %8.2f ms of CPU, %8.2f ms on one thread, "
+        "%8.2f ms on two\n",
+        edges["num_edges"].get<std::size_t>(), edges["entries_per_node"].get<double>(),
+        edges["cpu_ms"].get<double>(), edges["one_thread_wall_ms"].get<double>(),
+        edges["two_threads_wall_ms"].get<double>());
     const Json& sight = json["line_of_sight"];
     std::printf(
         "  one line of sight: cells %.0f ns, between the leaves %.0f ns; bits %.0f ns, "

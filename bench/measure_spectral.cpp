@@ -17,14 +17,11 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/border_graph.hpp"
 #include "bench/result_file.hpp"
 #include "bench/spectra_solver.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/base/random.hpp"
-#include "quadcut/map/leaf_table.hpp"
-#include "quadcut/map/occupancy_map.hpp"
-#include "quadcut/paper/visibility.hpp"
-#include "quadcut/rooms/border_edges.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/graph.hpp"
@@ -94,28 +91,6 @@ GridMap office(std::int32_t num_rooms_a_side, std::size_t pieces_a_room) {
         fill({below(side), below(side)}, 1 + below(8), 1 + below(8), CellState::occupied);
     }
     return map;
-}
-
-/// Border graph of the free leaves; the largest component of it.
-Graph border_graph(const GridMap& map) {
-    const OccupancyMap occupancy = OccupancyMap::from_grid(map);
-    const LeafTable table(occupancy.leaves(), occupancy.root());
-    std::vector<LeafId> leaves;
-    for (std::uint32_t i = 0; i < table.leaves().size(); ++i) {
-        if (table.leaves()[i].state == CellState::free) leaves.push_back(LeafId{i});
-    }
-    const Graph graph =
-        build_graph(border_edges(table, leaves), leaf_areas_m2(table, leaves, map.resolution_m));
-    const auto component = connected_components(graph);
-    std::vector<std::vector<std::uint32_t>> nodes;
-    for (std::uint32_t i = 0; i < component.size(); ++i) {
-        if (component[i] >= nodes.size()) nodes.resize(component[i] + std::size_t{1});
-        nodes[component[i]].push_back(i);
-    }
-    const auto largest =
-        std::max_element(nodes.begin(), nodes.end(),
-                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    return induced_subgraph(graph, *largest);
 }
 
 #ifdef QUADCUT_HAS_SPECTRA

@@ -349,7 +349,9 @@ def peers(files: dict, old: str) -> str | None:
                  f"{1e-9 * row['read_bytes_per_s']:.1f}",
                  f"{100 * row['product_bytes'] / (1e-3 * row['product_ms']) / row['read_bytes_per_s']:.0f} %"]
                 for row in of("product")]
-    return (table(["cut into 256", "by", "wall s", "CPU s", "normalised cut"], cuts) + "\n"
+    # Of results up to commit 67dd59b, the last one with a cut by levels.
+    of_cuts = table(["cut into 256", "by", "wall s", "CPU s", "normalised cut"], cuts) + "\n" if cuts else ""
+    return (of_cuts
             + table(["16 eigenpairs", "by", "wall s", "CPU s", "residual"], pairs) + "\n"
             + table(["sparse product", "threads", "ms", "GB/s", "GB/s of a sum", "share"], products)
             + source(files["peers"]))

@@ -40,7 +40,7 @@ void forget_inverse(const Database& database, std::int64_t number) {
 }
 
 void write_state(const Database& database, std::int64_t number, EditState state,
-                 Edit::Border border) {
+                 Reversal::Border border) {
     Statement(database, "INSERT INTO undo VALUES(?, ?, ?)")
         .bind(1, number)
         .bind(2, kStates.at(static_cast<std::size_t>(state)))
@@ -48,11 +48,11 @@ void write_state(const Database& database, std::int64_t number, EditState state,
         .run();
 }
 
-Edit::Border read_border(const Database& database, std::int64_t number) {
+Reversal::Border read_border(const Database& database, std::int64_t number) {
     Statement row(database, "SELECT border FROM undo WHERE edit = ?");
     row.bind(1, number);
-    if (!row.step()) return Edit::Border::none;
-    return static_cast<Edit::Border>(place_of(kBorders, row.text(0), database));
+    if (!row.step()) return Reversal::Border::none;
+    return static_cast<Reversal::Border>(place_of(kBorders, row.text(0), database));
 }
 
 }  // namespace
@@ -80,11 +80,11 @@ std::vector<EditRecord> read_edits(const Database& database) {
     return edits;
 }
 
-void write_edit(const Database& database, const EditRecord& record, const Edit& inverse) {
+void write_edit(const Database& database, const EditRecord& record, const Reversal& inverse) {
     for (const EditRecord& earlier : read_edits(database)) {
         if (earlier.state != EditState::undone) continue;
         forget_inverse(database, earlier.number);
-        write_state(database, earlier.number, EditState::dropped, Edit::Border::none);
+        write_state(database, earlier.number, EditState::dropped, Reversal::Border::none);
     }
     Statement insert(database,
                      "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
@@ -103,33 +103,33 @@ void write_edit(const Database& database, const EditRecord& record, const Edit& 
                   EditState::done, inverse);
 }
 
-Edit read_inverse(const Database& database, const EditRecord& record) {
-    Edit edit;
-    edit.room = record.room;
-    edit.other = record.other;
-    edit.border = read_border(database, record.number);
+Reversal read_inverse(const Database& database, const EditRecord& record) {
+    Reversal reversal;
+    reversal.room = record.room;
+    reversal.other = record.other;
+    reversal.border = read_border(database, record.number);
     Statement room(database,
                    "SELECT room, name, merge_group, locked FROM undo_rooms WHERE edit = ?");
     room.bind(1, record.number);
     while (room.step()) {
-        edit.settings[room_at(room, 0)] = {room.text(1), room_at(room, 2),
-                                           room.integer(3, 0, 1) != 0};
+        reversal.settings[room_at(room, 0)] = {room.text(1), room_at(room, 2),
+                                               room.integer(3, 0, 1) != 0};
     }
     Statement cells(database, "SELECT x, y, cells FROM undo_cells WHERE edit = ?");
     cells.bind(1, record.number);
     while (cells.step()) {
         const Cell tile = cell_at(cells, 0);
-        edit.cells[{tile.x, tile.y}] = static_cast<std::uint64_t>(cells.integer(
+        reversal.cells[{tile.x, tile.y}] = static_cast<std::uint64_t>(cells.integer(
             2, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
     }
     Statement line(database, "SELECT from_x, from_y, to_x, to_y FROM undo_lines WHERE edit = ?");
     line.bind(1, record.number);
-    while (line.step()) edit.lines.push_back({cell_at(line, 0), cell_at(line, 2)});
-    return edit;
+    while (line.step()) reversal.lines.push_back({cell_at(line, 0), cell_at(line, 2)});
+    return reversal;
 }
 
 void write_inverse(const Database& database, std::int64_t number, EditState state,
-                   const Edit& inverse) {
+                   const Reversal& inverse) {
     forget_inverse(database, number);
     write_state(database, number, state, inverse.border);
     Statement room(database, "INSERT INTO undo_rooms VALUES(?, ?, ?, ?, ?)");

@@ -34,12 +34,12 @@ struct EditRecord {
 /// All edits, the first first. Throws InputError for rows that cannot be.
 [[nodiscard]] std::vector<EditRecord> read_edits(const Database& database);
 /// Adds one; what was undone before is dropped. @pre a transaction is open.
-void write_edit(const Database& database, const EditRecord& record, const Edit& inverse);
+void write_edit(const Database& database, const EditRecord& record, const Reversal& inverse);
 /// What takes an edit back, or makes it again when it is undone.
-[[nodiscard]] Edit read_inverse(const Database& database, const EditRecord& record);
+[[nodiscard]] Reversal read_inverse(const Database& database, const EditRecord& record);
 /// Says that an edit was undone, or made again, and what is its inverse now.
 /// @pre a transaction is open.
 void write_inverse(const Database& database, std::int64_t number, EditState state,
-                   const Edit& inverse);
+                   const Reversal& inverse);
 
 }  // namespace quadcut::store

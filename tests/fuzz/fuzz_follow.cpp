@@ -137,33 +137,19 @@ private:
 
     void edit() {
         before_ = rooms_of_cells();
+        const std::uint8_t kind = bytes_.byte() % 6;
+        quadcut::Edit edit{
+            static_cast<quadcut::EditKind>(kind), some_room(), some_room(), {}, {}, {}};
+        edit.name = std::string(1, static_cast<char>(bytes_.byte()));
+        if (edit.kind == quadcut::EditKind::split) {
+            edit.from = {bytes_.metres(), bytes_.metres()};
+            edit.to = {bytes_.metres(), bytes_.metres()};
+        }
         try {
-            switch (bytes_.byte() % 8) {
-                case 0: {
-                    const RoomId room = some_room();
-                    keep(follower_.rename(room, std::string(1, static_cast<char>(bytes_.byte()))));
-                    break;
-                }
-                case 1:
-                case 2: {
-                    const RoomId room = some_room();
-                    keep(follower_.merge(room, some_room()));
-                    break;
-                }
-                case 3:
-                case 4: {
-                    const quadcut::Point from{bytes_.metres(), bytes_.metres()};
-                    keep(follower_.split(from, {bytes_.metres(), bytes_.metres()}));
-                    break;
-                }
-                case 5:
-                    keep(follower_.lock(some_room()));
-                    break;
-                case 6:
-                    keep(follower_.unlock(some_room()));
-                    break;
-                default:
-                    turn();
+            if (kind == 5) {
+                turn();
+            } else {
+                keep(follower_.edit(edit));
             }
         } catch (const quadcut::InputError&) {
         }
@@ -186,7 +172,7 @@ private:
     /// Takes back what was done some time ago, in whatever order.
     void turn() {
         if (edits_.empty()) return;
-        quadcut::Edit& edit = edits_[bytes_.byte() % edits_.size()];
+        quadcut::Reversal& edit = edits_[bytes_.byte() % edits_.size()];
         const quadcut::Edited edited = follower_.apply(edit);
         locked_cells_.clear();
         edit = edited.inverse;
@@ -248,7 +234,7 @@ private:
     std::map<std::pair<std::int32_t, std::int32_t>, quadcut::FollowedTile> saved_;
     std::set<std::uint32_t> ids_;
     std::map<std::size_t, std::size_t> locked_cells_;
-    std::vector<quadcut::Edit> edits_;
+    std::vector<quadcut::Reversal> edits_;
     /// The rooms of all cells before an edit.
     std::vector<std::uint32_t> before_;
 };

@@ -11,6 +11,7 @@ import equations
 import generated
 import layers
 import names
+import selftest_pins
 import selftest_results
 from source import SourceFile, Tree
 
@@ -182,7 +183,8 @@ class Generated(unittest.TestCase):
 def run() -> list[str]:
     """What fails, one text each."""
     load = unittest.defaultTestLoader.loadTestsFromModule
-    suite = unittest.TestSuite([load(__import__(__name__)), load(selftest_results)])
+    modules = (__import__(__name__), selftest_pins, selftest_results)
+    suite = unittest.TestSuite([load(module) for module in modules])
     result = unittest.TestResult()
     suite.run(result)
     return [f"{test}: {trace.strip()}" for test, trace in result.failures + result.errors]

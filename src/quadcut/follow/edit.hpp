@@ -4,16 +4,39 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
 #include "quadcut/follow/follower_state.hpp"
 
 namespace quadcut {
 
-/// A change of followed rooms by people, or what takes one back.
+enum class EditKind : std::uint8_t { rename, merge, split, lock, unlock };
+
+/// What people ask for; it holds from then on.
 struct Edit {
+    EditKind kind = EditKind::rename;
+    /// Not read by a split.
+    RoomId room{};
+    /// merge: becomes part of `room`, which it touches; what is one stays one.
+    RoomId other{};
+    /// rename: kept as it is, and no other room's; an empty one is none.
+    std::string name;
+    /// split: cuts the room that most of the line between two points of the map frame lies in, from
+    /// wall to wall, in two of which the larger keeps its id; the line stays a cut. A wall may be
+    /// nearer than the points, or a metre farther. What cannot be cut is refused with the nearest
+    /// line that can, within 3 m.
+    Point from;
+    Point to;
+    // A locked room keeps its cells, and gets no others. What was seen there meanwhile counts once
+    // it is unlocked.
+};
+
+/// What takes an edit back, or makes it again.
+struct Reversal {
     enum class Border : std::uint8_t { none, part, join };
 
     RoomId room{};

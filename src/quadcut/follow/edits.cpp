@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -78,16 +79,32 @@ std::uint32_t Follower::existing(RoomId room) const {
     return number;
 }
 
-Edit Follower::edit_of(RoomId room) const {
-    Edit edit;
-    edit.room = room;
-    edit.settings[static_cast<std::uint32_t>(room)] = rooms_.at(existing(room));
-    return edit;
+Edited Follower::edit(const Edit& edit) {
+    switch (edit.kind) {
+        case EditKind::rename:
+            return apply(rename(edit.room, edit.name));
+        case EditKind::merge:
+            return apply(merge(edit.room, edit.other));
+        case EditKind::split:
+            return apply(split(edit.from, edit.to));
+        case EditKind::lock:
+            return apply(lock(edit.room));
+        case EditKind::unlock:
+            return apply(unlock(edit.room));
+    }
+    throw std::logic_error("an edit of no kind");
 }
 
-Edited Follower::rename(RoomId room, std::string_view name) {
-    Edit edit = edit_of(room);
-    RoomSettings& settings = edit.settings.begin()->second;
+Reversal Follower::as_is(RoomId room) const {
+    Reversal now;
+    now.room = room;
+    now.settings[static_cast<std::uint32_t>(room)] = rooms_.at(existing(room));
+    return now;
+}
+
+Reversal Follower::rename(RoomId room, const std::string& name) const {
+    Reversal change = as_is(room);
+    RoomSettings& settings = change.settings.begin()->second;
     settings.name = name;
     RoomId owner = room_with_default_name(settings.name);
     for (const auto& [id, other] : rooms_) {
@@ -97,53 +114,53 @@ Edited Follower::rename(RoomId room, std::string_view name) {
         throw InputError("'" + settings.name + "' is the name of " + name_of(owner) +
                          ": expected one that no other room has");
     }
-    return apply(edit);
+    return change;
 }
 
-Edited Follower::merge(RoomId room, RoomId other) {
-    Edit edit = edit_of(room);
-    edit.other = other;
-    edit.border = Edit::Border::join;
+Reversal Follower::merge(RoomId room, RoomId other) const {
+    Reversal change = as_is(room);
+    change.other = other;
+    change.border = Reversal::Border::join;
     if (room == other) throw InputError("a room cannot be merged with itself");
-    std::uint32_t& group = edit.settings.begin()->second.merge_group;
+    std::uint32_t& group = change.settings.begin()->second.merge_group;
     if (group == 0) group = static_cast<std::uint32_t>(room);
     const std::uint32_t other_group = rooms_.at(existing(other)).merge_group;
     for (const auto& [id, followed] : rooms_) {
         if (other_group == 0 || followed.merge_group != other_group || RoomId{id} == other)
             continue;
-        edit.settings[id] = followed;
-        edit.settings[id].merge_group = group;
+        change.settings[id] = followed;
+        change.settings[id].merge_group = group;
     }
-    return apply(edit);
+    return change;
 }
 
-Edited Follower::lock(RoomId room) {
-    Edit edit = edit_of(room);
-    if (std::exchange(edit.settings.begin()->second.is_locked, true)) {
+Reversal Follower::lock(RoomId room) const {
+    Reversal change = as_is(room);
+    if (std::exchange(change.settings.begin()->second.is_locked, true)) {
         throw InputError(name_of(room) + " is locked already");
     }
-    return apply(edit);
+    return change;
 }
 
-Edited Follower::unlock(RoomId room) {
-    Edit edit = edit_of(room);
-    if (!std::exchange(edit.settings.begin()->second.is_locked, false)) {
+Reversal Follower::unlock(RoomId room) const {
+    Reversal change = as_is(room);
+    if (!std::exchange(change.settings.begin()->second.is_locked, false)) {
         throw InputError(name_of(room) + " is not locked");
     }
-    return apply(edit);
+    return change;
 }
 
-Edited Follower::apply(const Edit& edit) {
-    static_cast<void>(existing(edit.room));
+Edited Follower::apply(const Reversal& reversal) {
+    static_cast<void>(existing(reversal.room));
     Edited done;
-    done.inverse.room = edit.room;
-    done.inverse.other = edit.other;
-    for (const auto& [id, settings] : edit.settings) {
+    done.inverse.room = reversal.room;
+    done.inverse.other = reversal.other;
+    for (const auto& [id, settings] : reversal.settings) {
         if (rooms_.count(id) != 0) done.inverse.settings[id] = rooms_.at(id);
     }
-    if (edit.border == Edit::Border::part) part(edit, done);
-    if (edit.border == Edit::Border::join) join(edit, done);
-    for (const auto& [id, settings] : edit.settings) {
+    if (reversal.border == Reversal::Border::part) part(reversal, done);
+    if (reversal.border == Reversal::Border::join) join(reversal, done);
+    for (const auto& [id, settings] : reversal.settings) {
         const auto room = rooms_.find(id);
         if (room == rooms_.end()) continue;
         const bool is_unlocked = room->second.is_locked && !settings.is_locked;
@@ -156,9 +173,9 @@ Edited Follower::apply(const Edit& edit) {
     return done;
 }
 
-void Follower::join(const Edit& edit, Edited& done) {
-    const std::uint32_t into = existing(edit.room);
-    const std::uint32_t from = existing(edit.other);
+void Follower::join(const Reversal& reversal, Edited& done) {
+    const std::uint32_t into = existing(reversal.room);
+    const std::uint32_t from = existing(reversal.other);
     FollowedRoom& whole = rooms_.at(into);
     const FollowedRoom& ended = rooms_.at(from);
     if (whole.is_locked || ended.is_locked) {
@@ -173,26 +190,26 @@ void Follower::join(const Edit& edit, Edited& done) {
         throw InputError("rooms " + std::to_string(into) + " and " + std::to_string(from) +
                          " do not touch: a room is connected");
     }
-    done.inverse.border = Edit::Border::part;
+    done.inverse.border = Reversal::Border::part;
     const RoomSettings& settings = ended;
     done.inverse.settings[from] = settings;
-    done.inverse.lines = take_split_lines(edit);
+    done.inverse.lines = take_split_lines(reversal);
     for_each_cell_of(from, cells_, ended.box, [&](Cell cell) { cells_.set_room(cell, into); });
     whole.num_cells += ended.num_cells;
     whole.peak_m = std::max(whole.peak_m, ended.peak_m);
     whole.box.include(ended.box);
     whole.announced_m2 += ended.announced_m2;
     rooms_.erase(from);
-    done.update.events.push_back({RoomLife::merged, edit.other, edit.room, "by hand"});
+    done.update.events.push_back({RoomLife::merged, reversal.other, reversal.room, "by hand"});
 }
 
 /// Of the room and those that were made one with it: where most of the part lies. They may have
 /// come apart since.
-std::uint32_t Follower::holder_of_part(const Edit& edit) const {
-    const auto room = static_cast<std::uint32_t>(edit.room);
+std::uint32_t Follower::holder_of_part(const Reversal& reversal) const {
+    const auto room = static_cast<std::uint32_t>(reversal.room);
     const std::uint32_t group = rooms_.at(room).merge_group;
     std::map<std::uint32_t, std::size_t> num_cells;
-    for (const auto& [tile, cells] : edit.cells) {
+    for (const auto& [tile, cells] : reversal.cells) {
         const RoomTile& rooms = cells_.tile({tile.first, tile.second});
         for (std::size_t i = 0; i < kTileCells; ++i) num_cells[rooms.rooms[i]] += cells >> i & 1;
     }
@@ -206,19 +223,19 @@ std::uint32_t Follower::holder_of_part(const Edit& edit) const {
     return holder;
 }
 
-void Follower::part(const Edit& edit, Edited& done) {
-    const auto begun = static_cast<std::uint32_t>(edit.other);
+void Follower::part(const Reversal& reversal, Edited& done) {
+    const auto begun = static_cast<std::uint32_t>(reversal.other);
     if (begun == 0 || begun >= next_id_ || rooms_.count(begun) != 0) {
-        throw InputError("there cannot be a new " + name_of(edit.other));
+        throw InputError("there cannot be a new " + name_of(reversal.other));
     }
-    const std::uint32_t from = holder_of_part(edit);
+    const std::uint32_t from = holder_of_part(reversal);
     FollowedRoom& whole = rooms_.at(from);
     if (whole.is_locked)
         throw InputError(name_of(RoomId{from}) + " is locked: it keeps its border");
     Raster<std::uint8_t> mask = mask_of(from);
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        const auto tile = edit.cells.find(tile_at(mask.cell(i)));
-        if (mask.values[i] == 0 || tile == edit.cells.end()) continue;
+        const auto tile = reversal.cells.find(tile_at(mask.cell(i)));
+        if (mask.values[i] == 0 || tile == reversal.cells.end()) continue;
         if ((tile->second & bit_of(mask.cell(i))) != 0) mask.values[i] = kPart;
     }
     give_what_is_shut_off(mask);
@@ -229,8 +246,8 @@ void Follower::part(const Edit& edit, Edited& done) {
         ++part.num_cells;
     }
     const bool is_all = part.num_cells == whole.num_cells;
-    if (part.num_cells == 0 || (is_all && RoomId{from} == edit.room)) {
-        throw InputError("the floor of one of the rooms " + std::to_string(index(edit.room)) +
+    if (part.num_cells == 0 || (is_all && RoomId{from} == reversal.room)) {
+        throw InputError("the floor of one of the rooms " + std::to_string(index(reversal.room)) +
                          " and " + std::to_string(begun) + " is not there any more");
     }
     part.peak_m = whole.peak_m;
@@ -242,10 +259,10 @@ void Follower::part(const Edit& edit, Edited& done) {
     }
     if (is_all) rooms_.erase(from);
     rooms_[begun] = part;
-    for (const SplitLine& line : edit.lines) add_split_line(line);
-    done.inverse.border = Edit::Border::join;
-    done.inverse.lines = edit.lines;
-    done.update.events.push_back({RoomLife::split, edit.other, RoomId{from}, "by hand"});
+    for (const SplitLine& line : reversal.lines) add_split_line(line);
+    done.inverse.border = Reversal::Border::join;
+    done.inverse.lines = reversal.lines;
+    done.update.events.push_back({RoomLife::split, reversal.other, RoomId{from}, "by hand"});
 }
 
 /// Cells of a room that was locked and are not free, or free ones beside it that have no room, are
@@ -282,9 +299,9 @@ void Follower::add_split_line(const SplitLine& line) {
 }
 
 /// Who joins what was cut by hand takes that cut back: as a wall it would part them again.
-std::vector<SplitLine> Follower::take_split_lines(const Edit& edit) {
-    const std::set<std::uint32_t> both{static_cast<std::uint32_t>(edit.room),
-                                       static_cast<std::uint32_t>(edit.other)};
+std::vector<SplitLine> Follower::take_split_lines(const Reversal& reversal) {
+    const std::set<std::uint32_t> both{static_cast<std::uint32_t>(reversal.room),
+                                       static_cast<std::uint32_t>(reversal.other)};
     std::vector<SplitLine> taken;
     split_cells_.clear();
     for (const SplitLine& line : std::exchange(split_lines_, {})) {
@@ -297,7 +314,7 @@ std::vector<SplitLine> Follower::take_split_lines(const Edit& edit) {
             }
         }
         beside.erase(0);
-        const bool is_named = std::count(edit.lines.begin(), edit.lines.end(), line) != 0;
+        const bool is_named = std::count(reversal.lines.begin(), reversal.lines.end(), line) != 0;
         if (is_named || beside == both) {
             taken.push_back(line);
         } else {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -76,7 +75,7 @@ struct FollowUpdate {
 /// What an edit did, and what takes it back.
 struct Edited {
     FollowUpdate update;
-    Edit inverse;
+    Reversal inverse;
 };
 
 /// Keeps a map and its rooms up to date while a robot explores, with work that does not grow with
@@ -101,23 +100,12 @@ public:
     /// slices that take as long as an update. Nothing when there is none.
     std::optional<FollowUpdate> refine();
 
-    /// Edits of people hold from then on. All throw InputError, with nothing changed, when a room
-    /// does not exist or the edit cannot be made, and say why. A name is kept as
-    /// it is, and no other room's; an empty one is none.
-    Edited rename(RoomId room, std::string_view name);
-    /// `other` becomes part of `room`, which it touches; what is one stays one.
-    Edited merge(RoomId room, RoomId other);
-    /// Cuts the room that most of a line between two points of the map frame lies in, from wall to
-    /// wall, in two of which the larger keeps its id; the line stays a cut. A wall may be nearer
-    /// than the points, or a metre farther. What cannot be cut is refused with the nearest line
-    /// that can, within 3 m.
-    Edited split(const Point& from, const Point& to);
-    /// The room keeps its cells, and gets no others.
-    Edited lock(RoomId room);
-    /// What was seen there meanwhile counts from now on.
-    Edited unlock(RoomId room);
-    /// Makes an edit; the inverse of one takes it back as far as what was seen since allows.
-    Edited apply(const Edit& edit);
+    /// Throws InputError, with nothing changed, when a room does not exist or the edit cannot be
+    /// made, and says why.
+    Edited edit(const Edit& edit);
+    /// Takes an edit back, or makes it again, as far as what was seen since allows; throws as
+    /// above.
+    Edited apply(const Reversal& reversal);
 
     [[nodiscard]] const OccupancyMap& map() const { return map_; }
     [[nodiscard]] std::size_t num_scans() const { return num_scans_; }
@@ -202,12 +190,17 @@ private:
     void take_tile(const FollowedTile& tile);
     [[nodiscard]] std::uint32_t existing(RoomId room) const;
     void add_split_line(const SplitLine& line);
-    [[nodiscard]] std::vector<SplitLine> take_split_lines(const Edit& edit);
-    /// An edit that leaves a room as it is.
-    [[nodiscard]] Edit edit_of(RoomId room) const;
-    void part(const Edit& edit, Edited& done);
-    void join(const Edit& edit, Edited& done);
-    [[nodiscard]] std::uint32_t holder_of_part(const Edit& edit) const;
+    [[nodiscard]] std::vector<SplitLine> take_split_lines(const Reversal& reversal);
+    /// How a room is now, as the beginning of a change.
+    [[nodiscard]] Reversal as_is(RoomId room) const;
+    [[nodiscard]] Reversal rename(RoomId room, const std::string& name) const;
+    [[nodiscard]] Reversal merge(RoomId room, RoomId other) const;
+    [[nodiscard]] Reversal split(const Point& from, const Point& to);
+    [[nodiscard]] Reversal lock(RoomId room) const;
+    [[nodiscard]] Reversal unlock(RoomId room) const;
+    void part(const Reversal& reversal, Edited& done);
+    void join(const Reversal& reversal, Edited& done);
+    [[nodiscard]] std::uint32_t holder_of_part(const Reversal& reversal) const;
     void catch_up(std::uint32_t room, FollowUpdate& update);
     [[nodiscard]] Raster<std::uint8_t> mask_of(std::uint32_t room) const;
     [[nodiscard]] std::uint32_t nearest_room(Cell to) const;

@@ -54,7 +54,7 @@ Follower::RoomStretch Follower::stretch_of(const Point& from, const Point& to) c
     return longest;
 }
 
-Edited Follower::split(const Point& from, const Point& to) {
+Reversal Follower::split(const Point& from, const Point& to) {
     const double resolution_m = options_.resolution_m;
     // Throws for points that are nowhere.
     static_cast<void>(map_.cell_at(from));
@@ -91,18 +91,18 @@ Edited Follower::split(const Point& from, const Point& to) {
             (legal ? "; the nearest cut is from " + at(legal->from) + " to " + at(legal->to)
                    : "; within 3 m it can be cut nowhere"));
     }
-    Edit edit;
-    edit.room = room;
-    edit.other = RoomId{new_id()};
-    edit.border = Edit::Border::part;
+    Reversal change;
+    change.room = room;
+    change.other = RoomId{new_id()};
+    change.border = Reversal::Border::part;
     if (rooms_.at(stretch.room).merge_group != 0) {
-        edit.settings[next_id_ - 1].merge_group = next_id_ - 1;
+        change.settings[next_id_ - 1].merge_group = next_id_ - 1;
     }
     for (const Cell cell : plan.part) {
-        edit.cells[{tile_of(cell).x, tile_of(cell).y}] |= std::uint64_t{1} << place_in_tile(cell);
+        change.cells[{tile_of(cell).x, tile_of(cell).y}] |= std::uint64_t{1} << place_in_tile(cell);
     }
-    edit.lines = {*plan.line};
-    return apply(edit);
+    change.lines = {*plan.line};
+    return change;
 }
 
 /// The nearest one within kNearM; 0 = none.

@@ -11,7 +11,6 @@
 
 #include "quadcut/base/random.hpp"
 #include "quadcut/paper/submaps.hpp"
-#include "quadcut/rooms/over_cut.hpp"
 
 namespace quadcut {
 namespace {
@@ -100,47 +99,6 @@ TEST(Cut, EightDisconnectedEqualRoomsAreEight) {
 TEST(Cut, ARegionWithoutNodesHasNoPieces) {
     StageClock clock;
     EXPECT_EQ(cut(Graph{}, {}, clock).count, 0U);
-    EXPECT_EQ(over_cut(Graph{}, {}, clock).count, 0U);
-}
-
-TEST(OverCut, SeparatesEveryRoom) {
-    const Graph graph = rooms_in_a_row(9, 6, 6, 0.1);
-    StageClock clock;
-    const Pieces pieces = over_cut(graph, {}, clock);
-    expect_partition(graph, pieces);
-    EXPECT_GE(pieces.count, 9U);
-    // No piece holds nodes of two rooms.
-    std::vector<std::set<std::uint32_t>> rooms(pieces.count);
-    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
-        rooms[pieces.piece_of_node[node]].insert(node / 36);
-    }
-    for (const auto& room : rooms) EXPECT_EQ(room.size(), 1U);
-}
-
-TEST(OverCut, RecursionCutsAsFineAsOneSolve) {
-    const Graph graph = rooms_in_a_row(20, 6, 6, 0.1);
-    StageClock clock;
-    OverCutOptions options;
-    const Pieces whole = over_cut(graph, options, clock);
-    options.max_pairs = 4;
-    const Pieces recursive = over_cut(graph, options, clock);
-    expect_partition(graph, recursive);
-    EXPECT_GE(recursive.count, 20U);
-    EXPECT_GT(recursive.eigen.size(), whole.eigen.size());
-    for (const EigenReport& report : recursive.eigen) EXPECT_LE(report.eigenvalues.size(), 4U);
-}
-
-TEST(OverCut, ALargeRegionIsNeverSolvedAsAWhole) {
-    const std::uint32_t num_rooms = 20;
-    const Graph graph = rooms_in_a_row(num_rooms, 60, 60, 0.2);
-    OverCutOptions options;
-    options.max_eigenvalue_per_m2 = 0.002;
-    StageClock clock;
-    const Pieces pieces = over_cut(graph, options, clock);
-    expect_partition(graph, pieces);
-    for (const EigenReport& report : pieces.eigen) EXPECT_LE(report.num_nodes, 65536U);
-    // Below the limit a room has one eigenvalue: the pieces are the rooms.
-    expect_rooms(pieces, num_rooms);
 }
 
 TEST(Submaps, LongestRouteOfAPathAndAGrid) {

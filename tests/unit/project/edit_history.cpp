@@ -48,14 +48,15 @@ void with_project(const std::filesystem::path& path, const Action& action) {
 
 void rename(const std::filesystem::path& path, std::uint32_t room, const std::string& name) {
     with_project(path, [&](Project& project, Follower& follower) {
-        const Edited edited = follower.rename(RoomId{room}, name);
+        const Edited edited = follower.edit(test::rename(RoomId{room}, name));
         project.add({"rename", RoomId{room}, {}, name, {}, follower.num_scans()}, edited);
     });
 }
 
 void merge(const std::filesystem::path& path) {
     with_project(path, [&](Project& project, Follower& follower) {
-        project.add({"merge", RoomId{1}, RoomId{2}, "", {}}, follower.merge(RoomId{1}, RoomId{2}));
+        project.add({"merge", RoomId{1}, RoomId{2}, "", {}},
+                    follower.edit(test::merge(RoomId{1}, RoomId{2})));
     });
 }
 

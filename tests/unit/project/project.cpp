@@ -93,8 +93,8 @@ TEST(Project, EditsAreRowsThatStay) {
         Follower follower = project.follower();
         follower.update_cells(test::bare_hall());
         const RoomId hall = follower.room_at({9.0, 3.0});
-        project.add({"rename", hall, {}, "Hall", {}}, follower.rename(hall, "Hall"));
-        const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
+        project.add({"rename", hall, {}, "Hall", {}}, follower.edit(test::rename(hall, "Hall")));
+        const Edited split = follower.edit(test::split({4.0, 1.0}, {4.0, 5.0}));
         project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
         project.save(follower, some_log());
     }
@@ -171,13 +171,14 @@ TEST(Project, OptionsThatAreNoneAnyMoreAreReadOver) {
     Database(path, Access::write)
         .run(
             "INSERT INTO options VALUES('rooms.fuse', 'model'), ('rooms.furniture', 'off_wall'), "
-            "('rooms.min_ratio', '0.6')");
+            "('rooms.min_ratio', '0.6'), ('rooms.pieces', 'basins'), ('rooms.laplacian', 'area'), "
+            "('rooms.max_eigenvalue', '0.8'), ('rooms.full_clearance', '1.5')");
     EXPECT_EQ(Project(path, Access::write).follower().num_rooms(), 2U);
     for (const auto& [name, value, words] :
          {std::array{"rooms.fuse", "ratio",
                      "was begun with rooms.fuse = ratio, which is no choice"},
           std::array{"rooms.furniture", "reach", "expected off_wall; 'quadcut follow LOG -o DIR"},
-          std::array{"rooms.pieces", "unsnapped", "expected basins or spectral"},
+          std::array{"rooms.pieces", "spectral", "no choice any more: expected basins"},
           std::array{"rooms.other", "1", "unknown option 'rooms.other'"}}) {
         const std::string row = std::string("VALUES('") + name + "', '" + value + "')";
         const std::filesystem::path file = folder.path() / name;

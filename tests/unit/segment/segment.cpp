@@ -289,18 +289,6 @@ TEST(Segment, TurningAndMirroringDoNotMatter) {
     }
 }
 
-TEST(Segment, SpectralPiecesGiveTheSameRoomsOfAnOffice) {
-    const GridMap map = office();
-    const std::vector<double> areas = sorted_areas(segment(map));
-    SegmentOptions options;
-    options.rooms.pieces = PieceSource::spectral;
-    const Segmentation result = segment(map, options);
-    expect_sound(map, result);
-    EXPECT_EQ(sorted_areas(result), areas);
-    EXPECT_GT(result.report.num_leaves, 100U);
-    EXPECT_FALSE(result.report.eigen.empty());
-}
-
 TEST(Segment, PaddingDoesNotMatter) {
     const GridMap map = office();
     GridMap padded = map;
