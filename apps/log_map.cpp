@@ -6,7 +6,7 @@
 
 namespace quadcut {
 
-PosedLog parse_posed_log(io::InputFile log, const std::optional<std::filesystem::path>& poses,
+PosedLog parse_posed_log(io::Input log, const std::optional<std::filesystem::path>& poses,
                          double resolution_m) {
     const auto source = io::open_scan_source(std::move(log), {poses, resolution_m, {}});
     PosedLog posed{

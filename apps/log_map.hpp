@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/scan_source.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
@@ -24,7 +25,7 @@ struct PosedLog {
 };
 
 /// All scans of a source.
-[[nodiscard]] PosedLog parse_posed_log(io::InputFile log,
+[[nodiscard]] PosedLog parse_posed_log(io::Input log,
                                        const std::optional<std::filesystem::path>& poses,
                                        double resolution_m);
 

@@ -72,7 +72,7 @@ void run(const Arguments& arguments) {
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
     clock.begin("read");
-    const auto source = io::open_scan_source(read_log(arguments.operands[0]),
+    const auto source = io::open_scan_source(open_log(arguments.operands[0]),
                                              {poses_of(arguments), resolution_m, {}});
     clock.begin("map");
     const io::ScannedMap log =

@@ -52,8 +52,8 @@ struct Input {
     bool is_log = false;
 };
 
-Input input_of_log(const Arguments& arguments, io::InputFile file,
-                   const IntegrateOptions& integrate, StageClock& clock, Progress& progress) {
+Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
+                   StageClock& clock, Progress& progress) {
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
     const auto source =
         io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
@@ -76,8 +76,8 @@ Input input_of_log(const Arguments& arguments, io::InputFile file,
     return input;
 }
 
-Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
-    io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
+Input input_of_map(const Arguments& arguments, io::Input bytes, io::FileBatch& output) {
+    io::MapFile file = io::parse_map(std::move(bytes).read_all(), map_read_options_of(arguments));
     output.protect(file.image_path);
     output.require_free(formats::result_files());
     Input input;
@@ -175,14 +175,14 @@ void run(const Arguments& arguments) {
     run_options.on_stage = [&clock](std::string_view stage) { clock.begin(stage); };
 
     clock.begin("read");
-    KnownInput known = read_map_or_log(arguments.operands[0]);
+    KnownInput known = open_map_or_log(arguments.operands[0]);
     const std::vector<std::string> files = files_of(known.kind);
     io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.file), integrate, clock, progress)
-                      : input_of_map(arguments, std::move(known.file), output);
+                      ? input_of_log(arguments, std::move(known.input), integrate, clock, progress)
+                      : input_of_map(arguments, std::move(known.input), output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(options, run_options);

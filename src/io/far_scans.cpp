@@ -14,22 +14,33 @@
 namespace quadcut::io {
 namespace {
 
-/// A scan that says something.
-struct Sight {
-    std::size_t scan = 0;
-    Point at;
-    /// What it may reach.
-    Box cells;
-};
+/// By their places among all.
+using Scans = std::vector<std::uint32_t>;
+using Squares = std::map<std::pair<std::int64_t, std::int64_t>, Scans>;
 
-/// Sights whose poses are connected.
+/// Scans whose poses are connected.
 struct Part {
-    std::vector<Sight> sights;
-    Box cells;
+    Scans scans;
     std::size_t num_squares = 0;
 };
 
-using Squares = std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Sight>>;
+Point point_of(const ScanReach& scan) { return {scan.pose.x, scan.pose.y}; }
+
+/// What scans may reach.
+class Reaches {
+public:
+    explicit Reaches(double resolution_m) : nothing_(resolution_m) { scan_.max_range_m = HUGE_VAL; }
+    /// Throws InputError when the pose is no place.
+    [[nodiscard]] Box cells_of(const ScanReach& scan) {
+        scan_.world_from_sensor = scan.pose;
+        scan_.ranges_m.assign(1, scan.longest_m);
+        return cells_in_reach(nothing_, scan_);
+    }
+
+private:
+    OccupancyMap nothing_;
+    Scan scan_;
+};
 
 std::int64_t num_cells(const Box& box) {
     return box.is_empty() ? 0 : std::int64_t{box.width()} * box.height();
@@ -41,17 +52,16 @@ Box with(Box box, const Box& other) {
 }
 
 /// Of each coordinate.
-Point median_of(const std::vector<Sight>& sights) {
-    std::vector<double> xs;
-    std::vector<double> ys;
-    for (const Sight& sight : sights) {
-        xs.push_back(sight.at.x);
-        ys.push_back(sight.at.y);
-    }
-    const auto middle = static_cast<std::ptrdiff_t>(sights.size() / 2);
-    std::nth_element(xs.begin(), xs.begin() + middle, xs.end());
-    std::nth_element(ys.begin(), ys.begin() + middle, ys.end());
-    return {xs[sights.size() / 2], ys[sights.size() / 2]};
+Point median_of(std::span<const ScanReach> all, const Scans& scans) {
+    const auto median = [&](double Pose::*coordinate) {
+        std::vector<double> values;
+        values.reserve(scans.size());
+        for (const std::uint32_t scan : scans) values.push_back(all[scan].pose.*coordinate);
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    };
+    return {median(&Pose::x), median(&Pose::y)};
 }
 
 /// Takes the squares that one can walk to out of `squares`.
@@ -64,10 +74,7 @@ Part take_part(Squares& squares) {
         const auto found = squares.find({x, y});
         if (found == squares.end()) continue;
         ++part.num_squares;
-        for (const Sight& sight : found->second) {
-            part.cells.include(sight.cells);
-            part.sights.push_back(sight);
-        }
+        part.scans.insert(part.scans.end(), found->second.begin(), found->second.end());
         squares.erase(found);
         for (std::int64_t dy = -1; dy <= 1; ++dy) {
             for (std::int64_t dx = -1; dx <= 1; ++dx) waiting.emplace_back(x + dx, y + dy);
@@ -77,19 +84,13 @@ Part take_part(Squares& squares) {
 }
 
 /// The largest first; of two as large the one that lies further left, or lower.
-std::vector<Part> connected_parts(const std::vector<Sight>& sights) {
-    Squares squares;
-    for (const Sight& sight : sights) {
-        squares[{static_cast<std::int64_t>(std::floor(sight.at.x / kPoseGapM)),
-                 static_cast<std::int64_t>(std::floor(sight.at.y / kPoseGapM))}]
-            .push_back(sight);
-    }
+std::vector<Part> connected_parts(Squares squares) {
     std::vector<Part> parts;
     while (!squares.empty()) parts.push_back(take_part(squares));
     const auto largest =
         std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-            return std::pair(a.num_squares, a.sights.size()) <
-                   std::pair(b.num_squares, b.sights.size());
+            return std::pair(a.num_squares, a.scans.size()) <
+                   std::pair(b.num_squares, b.scans.size());
         });
     if (largest != parts.end()) std::rotate(parts.begin(), largest, largest + 1);
     return parts;
@@ -105,30 +106,34 @@ std::string length_text(double length_m) {
 /// Takes parts and scans into one map while they fit, and says which do not.
 class Selection {
 public:
-    Selection(std::size_t num_scans, const ExtentLimit& limit, const Point& middle)
-        : limit_(limit), middle_(middle) {
-        far_.is_far.assign(num_scans, false);
-    }
+    Selection(std::span<const ScanReach> scans, Reaches& reaches, const ExtentLimit& limit)
+        : scans_(scans), reaches_(reaches), limit_(limit) {}
 
-    void take_one_by_one(Part part) {
-        std::sort(part.sights.begin(), part.sights.end(), [&](const Sight& a, const Sight& b) {
-            return std::tuple(distance(a.at, middle_), a.at.x, a.at.y, num_cells(a.cells)) <
-                   std::tuple(distance(b.at, middle_), b.at.x, b.at.y, num_cells(b.cells));
-        });
-        for (const Sight& sight : part.sights) {
-            const Box box = with(box_, sight.cells);
+    void take_one_by_one(Part part, const Point& middle) {
+        middle_ = middle;
+        const auto order = [&](std::uint32_t scan) {
+            const ScanReach& reach = scans_[scan];
+            return std::tuple(distance(point_of(reach), middle), reach.pose.x, reach.pose.y,
+                              reach.longest_m);
+        };
+        std::sort(part.scans.begin(), part.scans.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return order(a) < order(b); });
+        for (const std::uint32_t scan : part.scans) {
+            const Box box = with(box_, reaches_.cells_of(scans_[scan]));
             if (num_cells(box) <= limit_.most) {
                 box_ = box;
             } else {
-                leave_out(sight, box, limit_.most);
+                leave_out(scan, box, limit_.most);
             }
         }
         num_connected_ = num_cells(box_);
     }
 
     void take_as_a_whole(const Part& part) {
-        const Box box = with(box_, part.cells);
-        const std::int64_t connected = num_connected_ + num_cells(part.cells);
+        Box cells;
+        for (const std::uint32_t scan : part.scans) cells.include(reaches_.cells_of(scans_[scan]));
+        const Box box = with(box_, cells);
+        const std::int64_t connected = num_connected_ + num_cells(cells);
         const std::int64_t allowed =
             std::min(limit_.most, limit_.scattered + limit_.scattered_per_cell * connected);
         if (num_cells(box) <= allowed) {
@@ -136,29 +141,32 @@ public:
             num_connected_ = connected;
             return;
         }
-        for (const Sight& sight : part.sights) leave_out(sight, box, allowed);
+        for (const std::uint32_t scan : part.scans) leave_out(scan, box, allowed);
     }
 
-    void leave_out(std::size_t scan, std::string reason) {
+    void leave_out(std::uint32_t scan, std::string reason) {
         if (far_.count++ == 0 || scan < far_.first) {
             far_.first = scan;
             far_.reason = std::move(reason);
         }
+        far_.is_far.resize(scans_.size(), false);
         far_.is_far[scan] = true;
     }
 
     [[nodiscard]] FarScans take() { return std::move(far_); }
 
 private:
-    void leave_out(const Sight& sight, const Box& box, std::int64_t allowed) {
-        leave_out(sight.scan,
-                  "the pose (" + rounded(sight.at.x, 2) + ", " + rounded(sight.at.y, 2) + ") is " +
-                      length_text(distance(sight.at, middle_)) +
-                      " from the middle of the others: with it the map would span " +
-                      std::to_string(box.width()) + " x " + std::to_string(box.height()) +
-                      " cells, expected at most " + std::to_string(allowed));
+    void leave_out(std::uint32_t scan, const Box& box, std::int64_t allowed) {
+        const Point at = point_of(scans_[scan]);
+        leave_out(scan, "the pose (" + rounded(at.x, 2) + ", " + rounded(at.y, 2) + ") is " +
+                            length_text(distance(at, middle_)) +
+                            " from the middle of the others: with it the map would span " +
+                            std::to_string(box.width()) + " x " + std::to_string(box.height()) +
+                            " cells, expected at most " + std::to_string(allowed));
     }
 
+    std::span<const ScanReach> scans_;
+    Reaches& reaches_;
     ExtentLimit limit_;
     Point middle_;
     FarScans far_;
@@ -167,39 +175,46 @@ private:
     std::int64_t num_connected_ = 0;
 };
 
-double distance_to(const Part& part, const Point& point) {
-    double nearest = HUGE_VAL;
-    for (const Sight& sight : part.sights) nearest = std::min(nearest, distance(sight.at, point));
-    return nearest;
+/// The scans that say something, by the square that they are in; those that are nowhere are left
+/// out.
+Squares squares_of(std::span<const ScanReach> scans, Reaches& reaches, Selection& selection) {
+    Squares squares;
+    for (std::uint32_t i = 0; i < scans.size(); ++i) {
+        try {
+            if (reaches.cells_of(scans[i]).is_empty()) continue;
+        } catch (const InputError& error) {
+            selection.leave_out(i, error.what());
+            continue;
+        }
+        squares[{static_cast<std::int64_t>(std::floor(scans[i].pose.x / kPoseGapM)),
+                 static_cast<std::int64_t>(std::floor(scans[i].pose.y / kPoseGapM))}]
+            .push_back(i);
+    }
+    return squares;
 }
 
 }  // namespace
 
-FarScans find_far_scans(std::span<const Scan> scans, double resolution_m,
+FarScans find_far_scans(std::span<const ScanReach> scans, double resolution_m,
                         const ExtentLimit& limit) {
-    const OccupancyMap nothing(resolution_m);
-    std::vector<Sight> sights;
-    std::map<std::size_t, std::string> unusable;
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-        const Pose& pose = scans[i].world_from_sensor;
-        try {
-            const Box cells = cells_in_reach(nothing, scans[i]);
-            if (!cells.is_empty()) sights.push_back({i, {pose.x, pose.y}, cells});
-        } catch (const InputError& error) {
-            unusable.emplace(i, error.what());
-        }
-    }
-    std::vector<Part> parts = connected_parts(sights);
-    const Point middle = parts.empty() ? Point{} : median_of(parts.front().sights);
-    Selection selection(scans.size(), limit, middle);
-    for (auto& [scan, why] : unusable) selection.leave_out(scan, std::move(why));
+    Reaches reaches(resolution_m);
+    Selection selection(scans, reaches, limit);
+    std::vector<Part> parts = connected_parts(squares_of(scans, reaches, selection));
     if (parts.empty()) return selection.take();
-    selection.take_one_by_one(std::move(parts.front()));
+    const Point middle = median_of(scans, parts.front().scans);
+    selection.take_one_by_one(std::move(parts.front()), middle);
     parts.erase(parts.begin());
-    std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
-        return distance_to(a, middle) < distance_to(b, middle);
-    });
-    for (const Part& part : parts) selection.take_as_a_whole(part);
+    std::vector<std::pair<double, const Part*>> others;
+    for (const Part& part : parts) {
+        double nearest = HUGE_VAL;
+        for (const std::uint32_t scan : part.scans) {
+            nearest = std::min(nearest, distance(point_of(scans[scan]), middle));
+        }
+        others.emplace_back(nearest, &part);
+    }
+    std::stable_sort(others.begin(), others.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [nearest, part] : others) selection.take_as_a_whole(*part);
     return selection.take();
 }
 

@@ -28,9 +28,16 @@ struct ExtentLimit {
 /// Gaps of more than 2.8 times as much never connect.
 inline constexpr double kPoseGapM = 10.0;
 
+/// What of a scan says where it may be in a map: 32 bytes.
+struct ScanReach {
+    Pose pose;
+    float longest_m = 0.0F;   ///< its longest reading that says something; 0: none
+    std::uint32_t place = 0;  ///< where it stands in what it was read from
+};
+
 /// Scans that cannot be part of one map with the others.
 struct FarScans {
-    /// By scan.
+    /// By scan; empty: none is.
     std::vector<bool> is_far;
     std::size_t count = 0;
     /// Of the first of them.
@@ -41,8 +48,8 @@ struct FarScans {
 /// Finds the scans that lie too far from the others, or whose pose is no place at all. The largest
 /// part of connected poses is kept, from the middle outwards as far as `limit.most` reaches; other
 /// parts are kept, the nearest first, as long as the box around all is within the limit. Which
-/// scans are kept does not depend on their order. O(readings + scans log scans).
-[[nodiscard]] FarScans find_far_scans(std::span<const Scan> scans, double resolution_m,
+/// scans are kept does not depend on their order. O(scans log scans).
+[[nodiscard]] FarScans find_far_scans(std::span<const ScanReach> scans, double resolution_m,
                                       const ExtentLimit& limit = {});
 
 }  // namespace quadcut::io

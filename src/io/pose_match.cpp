@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "io/number_text.hpp"
-#include "quadcut/base/error.hpp"
-#include "quadcut/base/geometry.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -52,32 +49,19 @@ std::string span_text(double first, double last) { return rounded(first) + " to 
 
 }  // namespace
 
-PosedScans with_poses(std::vector<Scan> scans, std::vector<TimedPose> poses,
-                      const std::string& name) {
-    std::stable_sort(poses.begin(), poses.end(),
+PoseMatch::PoseMatch(std::vector<TimedPose> poses, std::size_t num_scans)
+    : poses_(std::move(poses)), are_numbered_(are_numbered(poses_, num_scans)) {
+    std::stable_sort(poses_.begin(), poses_.end(),
                      [](const TimedPose& a, const TimedPose& b) { return a.time_s < b.time_s; });
-    const bool is_numbered = are_numbered(poses, scans.size());
-    const std::size_t num_scans = scans.size();
-    PosedScans posed;
-    double first_s = HUGE_VAL;
-    double last_s = -HUGE_VAL;
-    for (std::size_t i = 0; i < num_scans; ++i) {
-        const double time_s = is_numbered ? static_cast<double>(i) : scans[i].time_s;
-        first_s = std::min(first_s, time_s);
-        last_s = std::max(last_s, time_s);
-        const std::optional<Pose> pose = pose_at(poses, time_s);
-        if (!pose) continue;
-        scans[i].world_from_sensor = *pose;
-        posed.scans.push_back(std::move(scans[i]));
-        posed.places.push_back(i);
-    }
-    posed.num_left_out = num_scans - posed.scans.size();
-    if (posed.scans.empty()) {
-        throw InputError(name + ": no pose is near a scan in time: the poses are of " +
-                         span_text(poses.front().time_s, poses.back().time_s) +
-                         " s, the scans of " + span_text(first_s, last_s) + " s");
-    }
-    return posed;
+}
+
+std::optional<Pose> PoseMatch::pose_of(std::size_t number, double time_s) const {
+    return pose_at(poses_, are_numbered_ ? static_cast<double>(number) : time_s);
+}
+
+std::string PoseMatch::why_none(double first_s, double last_s) const {
+    return "the poses are of " + span_text(poses_.front().time_s, poses_.back().time_s) +
+           " s, the scans of " + span_text(first_s, last_s) + " s";
 }
 
 }  // namespace quadcut::io

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/file.hpp"
+#include "io/input.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut::io {
@@ -54,9 +54,12 @@ struct ScanSourceOptions {
     std::optional<double> max_range_m = {};
 };
 
-/// The scans of a file. Throws InputError when the file or the poses cannot be read, are damaged or
-/// hold no scan that can be used.
-[[nodiscard]] std::unique_ptr<ScanSource> open_scan_source(InputFile file,
+/// The scans of a file or pipe, of which no more is kept than 32 bytes a scan while it is looked
+/// through, and a bit afterwards (the poses of `options` are kept, too). What a scan means can
+/// depend on all of them, so the file is looked through twice before the first is given. Throws
+/// InputError when the file or the poses cannot be read, are damaged or hold no scan that can be
+/// used; next() does when the file has changed since.
+[[nodiscard]] std::unique_ptr<ScanSource> open_scan_source(Input input,
                                                            const ScanSourceOptions& options);
 
 }  // namespace quadcut::io

@@ -127,14 +127,17 @@ IntegrateOptions latest_scan_wins(IntegrateOptions options) {
     return options;
 }
 
+float longest_reading_m(const Scan& scan) {
+    float longest = 0.0F;
+    for (const float range : scan.ranges_m) {
+        if (std::isfinite(range) && range < scan.max_range_m) longest = std::max(longest, range);
+    }
+    return longest;
+}
+
 Box cells_in_reach(const OccupancyMap& map, const Scan& scan, const IntegrateOptions& options) {
     const Pose sensor = sensor_in_cells(map, scan);
-    double range_m = 0.0;
-    for (const float range : scan.ranges_m) {
-        if (std::isfinite(range) && range < scan.max_range_m) {
-            range_m = std::max(range_m, static_cast<double>(range));
-        }
-    }
+    const double range_m = longest_reading_m(scan);
     if (!(range_m > 0.0)) return {};
     const double reach = std::min(range_m, options.usable_range_m) / map.resolution_m();
     const auto cells = static_cast<std::int32_t>(std::ceil(std::min(reach, kMaxRangeCells))) + 1;

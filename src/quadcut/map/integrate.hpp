@@ -46,6 +46,9 @@ struct TileEvidence {
     std::uint64_t hit = 0;
 };
 
+/// The longest reading of a scan that says something; 0: none.
+[[nodiscard]] float longest_reading_m(const Scan& scan);
+
 /// Whole tiles, in cells, that hold all that a scan can speak of: as far around the sensor as its
 /// longest reading. Empty when no beam says anything. Throws InputError when the pose cannot be
 /// used, as evidence_of() does.
