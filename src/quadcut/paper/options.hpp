@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "quadcut/spectral/options.hpp"
@@ -23,9 +22,6 @@ enum class SelfLoops : std::uint8_t {
     largest_weight,
 };
 
-/// How the connected components of the paper's graph are found.
-enum class ComponentSearch : std::uint8_t { traversal, null_space };
-
 /// The preset `paper`.
 struct PaperOptions {
     /// 0: chosen by silhouette.
@@ -35,7 +31,6 @@ struct PaperOptions {
     LaplacianKind laplacian = LaplacianKind::degree;
     RowScaling row_scaling = RowScaling::none;
     SelfLoops self_loops = SelfLoops::own_weight;
-    ComponentSearch component_search = ComponentSearch::traversal;
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;

@@ -34,4 +34,8 @@ struct Clustering {
     std::size_t num_clusters = 0;
 };
 
+/// Clusters numbered by first sample; of `num_labels` labels, those of no sample disappear.
+[[nodiscard]] Clustering numbered_by_first_sample(std::span<const std::uint32_t> labels,
+                                                  std::size_t num_labels);
+
 }  // namespace quadcut
