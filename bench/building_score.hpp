@@ -15,6 +15,7 @@
 #include "eval/building_case.hpp"
 #include "eval/cases.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // All that is measured on one simulated building.

@@ -16,6 +16,7 @@
 #include "eval/building_case.hpp"
 #include "eval/cases.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

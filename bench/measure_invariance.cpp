@@ -18,6 +18,7 @@
 #include "bench/result_file.hpp"
 #include "eval/cases.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

@@ -19,6 +19,7 @@
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
 #include "eval/cases.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

@@ -6,12 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
+
+struct OptionField;
 
 /// How the connected components of the paper's graph are found.
 enum class ComponentSearch : std::uint8_t { traversal, null_space };

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
+
+struct OptionField;
 
 /// What is fused into rooms: the basins of the clearance, or the pieces of the spectral over-cut,
 /// snapped to the basins.
