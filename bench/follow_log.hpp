@@ -115,18 +115,18 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
             then = follower.room_cells();
         }
         if ((i + 1) * 10 >= (result.tenths.size() + 1) * scans.size() && result.tenths.size() < 9) {
-            result.tenths.push_back(compare_with_batch(follower, way, options.segment));
+            result.tenths.push_back(compare_with_batch(follower, way));
             result.batch_nodes.points.push_back(
                 {at, static_cast<double>(result.tenths.back().batch_nodes)});
             std::fprintf(stderr, "  %zu/10: PQ %.1f\n", result.tenths.size(),
                          result.tenths.back().pq);
         }
     }
-    result.at_end = compare_with_batch(follower, way, options.segment);
+    result.at_end = compare_with_batch(follower, way);
     result.batch_nodes.points.push_back(
         {static_cast<double>(scans.size()), static_cast<double>(result.at_end.batch_nodes)});
     follower.finish();
-    result.finished = compare_with_batch(follower, way, options.segment);
+    result.finished = compare_with_batch(follower, way);
     result.mapped_m2 = known_m2(follower.map());
     if (!scans.empty()) result.log_s = scans.back().time_s - scans.front().time_s;
     return result;
