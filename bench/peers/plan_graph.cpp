@@ -8,9 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "quadcut/map/leaf_table.hpp"
-#include "quadcut/map/occupancy_map.hpp"
-#include "quadcut/paper/visibility.hpp"
+#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/rooms/border_edges.hpp"
 #include "sim/building.hpp"
 
@@ -43,14 +41,10 @@ Graph plan_graph(int num_rooms, double resolution_m) {
     options.num_rooms = num_rooms;
     options.resolution_m = resolution_m;
     const GridMap map = sim::generate_building(options).map;
-    const OccupancyMap occupancy = OccupancyMap::from_grid(map);
-    const LeafTable table(occupancy.leaves(), occupancy.root());
-    std::vector<LeafId> leaves;
-    for (std::uint32_t i = 0; i < table.leaves().size(); ++i) {
-        if (table.leaves()[i].state == CellState::free) leaves.push_back(LeafId{i});
-    }
+    const FreeLeaves leaves = free_leaves(map);
     return largest_component(
-        build_graph(border_edges(table, leaves), leaf_areas_m2(table, leaves, map.resolution_m)));
+        build_graph(border_edges(leaves.table, leaves.nodes),
+                    leaf_areas_m2(leaves.table, leaves.nodes, map.resolution_m)));
 }
 
 void write_graph(const Graph& graph, const std::filesystem::path& path) {

@@ -69,6 +69,11 @@ double UnitBuilder::door_place(double low, double high, double width) {
     return random_.uniform(first, last + 1e-9);
 }
 
+// Through the wall to the corridor.
+Rect UnitBuilder::front_opening(double middle, double width) const {
+    return {middle - 0.5 * width, -style_.corridor_wall_m, middle + 0.5 * width, 0.0};
+}
+
 void UnitBuilder::add_front_door(const Lot& lot, std::size_t room, double low, double high) {
     low = std::max(low, lot.front_begin);
     high = std::min(high, lot.front_end);
@@ -77,8 +82,7 @@ void UnitBuilder::add_front_door(const Lot& lot, std::size_t room, double low, d
     const double area = plan_.rooms[room].parts.front().rect.area();
     const auto add = [&](double from, double to) {
         const double x = door_place(from, to, width);
-        const Rect opening{x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0.0};
-        plan_.doors.push_back({lot.corridor, room, lot.frame, opening, false});
+        plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), false});
     };
     if (area > 40.0 && free > 2.2 && random_.uniform() < 0.6) width = random_.uniform(1.3, 1.7);
     if (area > 40.0 && high - low > 6.0 && random_.uniform() < 0.5) {
@@ -260,11 +264,7 @@ void UnitBuilder::add_aisle(const Lot& lot) {
     const bool open = random_.uniform() < 0.5;
     const double width = open ? random_.uniform(1.2, aisle - 0.25) : door_width();
     const double x = left + 0.5 * aisle;
-    plan_.doors.push_back({lot.corridor,
-                           room,
-                           lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
-                           open});
+    plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), open});
     const Point v = lot.frame.v;
     const Point u = lot.frame.u;
     add_cubicles({lot.frame.map({lot.begin + depth, 0}), v, {-u.x, -u.y}}, lot.depth, depth, room);
@@ -291,11 +291,7 @@ void UnitBuilder::add_open_room(const Lot& lot) {
     const double high = std::min(lot.end, lot.front_end);
     const double width = std::min(random_.uniform(1.2, 2.0), high - low - 0.6);
     const double x = door_place(low + 0.1, high - 0.1, width);
-    plan_.doors.push_back({lot.corridor,
-                           room,
-                           lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
-                           true});
+    plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), true});
 }
 
 void UnitBuilder::add_core(const Lot& lot) {
