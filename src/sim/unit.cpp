@@ -16,6 +16,11 @@ RoomUse pick(Random& random, std::initializer_list<RoomUse> uses) {
     return uses.begin()[random.below(uses.size())];
 }
 
+// Through a wall between two heights.
+Rect opening(double middle, double width, double low, double high) {
+    return {middle - 0.5 * width, low, middle + 0.5 * width, high};
+}
+
 }  // namespace
 
 RoomUse choose_use(Trade trade, double area_m2, Random& random) {
@@ -71,7 +76,13 @@ double UnitBuilder::door_place(double low, double high, double width) {
 
 // Through the wall to the corridor.
 Rect UnitBuilder::front_opening(double middle, double width) const {
-    return {middle - 0.5 * width, -style_.corridor_wall_m, middle + 0.5 * width, 0.0};
+    return opening(middle, width, -style_.corridor_wall_m, 0.0);
+}
+
+// Most rooms are for what their size suggests.
+std::size_t UnitBuilder::add_sized_room(const Lot& lot, const Rect& rect) {
+    const RoomUse use = choose_use(trade_, rect.area(), random_);
+    return plan_.add_room(use, lot.frame, rect, style_.outer_wall_m);
 }
 
 void UnitBuilder::add_front_door(const Lot& lot, std::size_t room, double low, double high) {
@@ -119,8 +130,7 @@ void UnitBuilder::add_pillars(const Frame& frame, const Rect& rect) {
 
 std::size_t UnitBuilder::add_room(const Lot& lot) {
     const Rect rect{lot.begin, 0.0, lot.end, lot.depth};
-    const RoomUse use = choose_use(trade_, rect.area(), random_);
-    const std::size_t room = plan_.add_room(use, lot.frame, rect, style_.outer_wall_m);
+    const std::size_t room = add_sized_room(lot, rect);
     add_front_door(lot, room, lot.begin, lot.end);
     if (rect.area() > 65.0 && lot.depth > 5.5) add_pillars(lot.frame, rect);
     return room;
@@ -154,9 +164,8 @@ void UnitBuilder::add_room_around(const Lot& lot) {
     const double opening_width = random_.uniform(0.7, 0.85);
     const double y = door_place(0.0, depth, opening_width);
     const double wall = at_left ? cut : cut - p;
-    const Rect opening{y - 0.5 * opening_width, wall, y + 0.5 * opening_width, wall + p};
-    plan_.doors.push_back(
-        {at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(), opening, false});
+    plan_.doors.push_back({at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(),
+                           opening(y, opening_width, wall, wall + p), false});
 }
 
 void UnitBuilder::add_deep_suite(const Lot& lot) {
@@ -164,23 +173,20 @@ void UnitBuilder::add_deep_suite(const Lot& lot) {
     const double cut = random_.uniform(2.5, lot.depth - p - 2.6);
     const Rect front{lot.begin, 0, lot.end, cut};
     const Rect back{lot.begin, cut + p, lot.end, lot.depth};
-    const std::size_t a = plan_.add_room(choose_use(trade_, front.area(), random_), lot.frame,
-                                         front, style_.outer_wall_m);
-    const std::size_t b = plan_.add_room(choose_use(trade_, back.area(), random_), lot.frame, back,
-                                         style_.outer_wall_m);
+    const std::size_t a = add_sized_room(lot, front);
+    const std::size_t b = add_sized_room(lot, back);
     add_front_door(lot, a, lot.begin, lot.end);
     const double width = door_width();
     const double x = door_place(lot.begin, lot.end, width);
-    plan_.doors.push_back(
-        {a, b, lot.frame, {x - 0.5 * width, cut, x + 0.5 * width, cut + p}, false});
+    plan_.doors.push_back({a, b, lot.frame, opening(x, width, cut, cut + p), false});
 }
 
 void UnitBuilder::join(std::size_t left, std::size_t right, const Lot& right_lot) {
     const double width = door_width();
     const double y = door_place(0.0, right_lot.depth, width);
-    const Rect opening{y - 0.5 * width, right_lot.begin - style_.partition_m, y + 0.5 * width,
-                       right_lot.begin};
-    plan_.doors.push_back({left, right, right_lot.frame.swapped(), opening, false});
+    plan_.doors.push_back({left, right, right_lot.frame.swapped(),
+                           opening(y, width, right_lot.begin - style_.partition_m, right_lot.begin),
+                           false});
 }
 
 void UnitBuilder::add_side_suite(const Lot& lot) {
@@ -189,12 +195,8 @@ void UnitBuilder::add_side_suite(const Lot& lot) {
     left.end = lot.begin + share * lot.length();
     Lot right = lot;
     right.begin = left.end + style_.partition_m;
-    const Rect a_rect{left.begin, 0, left.end, left.depth};
-    const Rect b_rect{right.begin, 0, right.end, right.depth};
-    const std::size_t a = plan_.add_room(choose_use(trade_, a_rect.area(), random_), lot.frame,
-                                         a_rect, style_.outer_wall_m);
-    const std::size_t b = plan_.add_room(choose_use(trade_, b_rect.area(), random_), lot.frame,
-                                         b_rect, style_.outer_wall_m);
+    const std::size_t a = add_sized_room(lot, {left.begin, 0, left.end, left.depth});
+    const std::size_t b = add_sized_room(lot, {right.begin, 0, right.end, right.depth});
     if (random_.uniform() < 0.5) {
         add_front_door(left, a, left.begin, left.end);
     } else {
@@ -219,11 +221,8 @@ void UnitBuilder::add_washroom(const Lot& lot) {
                            {x, lobby + p, x + width, lobby + p + stall_depth}, style_.outer_wall_m);
         const double door = random_.uniform(0.7, 0.75);
         const double middle = door_place(x, x + width, door);
-        plan_.doors.push_back({room,
-                               stall,
-                               lot.frame,
-                               {middle - 0.5 * door, lobby, middle + 0.5 * door, lobby + p},
-                               false});
+        plan_.doors.push_back(
+            {room, stall, lot.frame, opening(middle, door, lobby, lobby + p), false});
     }
     const double duct = lobby + p + stall_depth + style_.partition_m;
     if (lot.depth - duct > 0.3) {
