@@ -15,6 +15,7 @@
 #include "io/map_server.hpp"
 #include "tests/e2e/labels.hpp"
 #include "tests/e2e/program.hpp"
+#include "tests/unit/io/image_file.hpp"
 
 namespace quadcut::test {
 namespace {
