@@ -2,13 +2,14 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/io.hpp"
 
+#include <optional>
 #include <utility>
 
-#include "formats/results.hpp"
-#include "io/carmen.hpp"
+#include "formats/registry.hpp"
 #include "io/file_batch.hpp"
 #include "io/map_server.hpp"
 #include "io/map_writer.hpp"
+#include "io/scan_source.hpp"
 #include "quadcut/version.hpp"
 
 namespace quadcut {
@@ -20,9 +21,9 @@ MapInFile read_map(const std::filesystem::path& path) {
 
 std::vector<std::string> read_scans(const std::filesystem::path& path,
                                     const std::function<void(const Scan&)>& visit) {
-    const io::LogFile log = io::read_carmen_log(path);
-    for (const Scan& scan : log.scans) visit(scan);
-    return log.warnings;
+    const auto source = io::open_scan_source(io::Input(path), {});
+    while (const std::optional<Scan> scan = source->next()) visit(*scan);
+    return source->facts().warnings;
 }
 
 void write_map(const std::filesystem::path& folder, const GridMap& map) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 
 #include <algorithm>
 #include <cstdlib>
