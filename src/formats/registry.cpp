@@ -70,7 +70,11 @@ Formats find_formats(std::string_view names) {
             throw InputError("'" + std::string(name) + "' is no format, expected " +
                              io::either_of(known) + io::suggestion(name, known));
         }
-        found.push_back(all_formats()[static_cast<std::size_t>(at - known.begin())]);
+        const Format& format = all_formats()[static_cast<std::size_t>(at - known.begin())];
+        const bool is_new = std::none_of(found.begin(), found.end(), [&](const Format& other) {
+            return other.name == format.name;
+        });
+        if (is_new) found.push_back(format);
         if (name.size() == names.size()) return found;
         names.remove_prefix(name.size() + 1);
     }
