@@ -77,6 +77,17 @@ TEST(Formats, EachWritesTheFilesThatItNames) {
     }
 }
 
+TEST(Formats, AreInTheDocumentation) {
+    const std::string page = io::read_file(QUADCUT_SOURCE_DIR "/docs/formats.md");
+    for (const Format& format : all_formats()) {
+        std::string row = "| `" + std::string(format.name) + "` | ";
+        for (const std::string& file : format.files) {
+            row += (&file == &format.files.front() ? "`" : ", `") + file + "`";
+        }
+        EXPECT_NE(page.find(row + " | "), std::string::npos) << row;
+    }
+}
+
 TEST(Formats, WriteTheSameAloneAndTogether) {
     const io::test::DrawnFloor floor = two_rooms();
     const io::RunInfo info;
