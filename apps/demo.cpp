@@ -87,7 +87,7 @@ Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& optio
     followed.robot.trajectory = positions(scans);
     store::LogPosition position;
     position.log = name;
-    FollowSession session(options, scans, {},
+    FollowSession session(RunOptions{}, scans, {},
                           store::Project::in_memory(kProject, options, position));
     while (!session.is_done()) {
         session.add_next();
@@ -173,7 +173,7 @@ void run(const Arguments& arguments) {
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     SegmentOptions segment_options = options.segment;
-    io::RunInfo info = run_info_of(segment_options);
+    io::RunInfo info = run_info_of(segment_options, {});
     info.input = name;
     write(output, simulation, followed, score, info);
 

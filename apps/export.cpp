@@ -78,7 +78,7 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
     SegmentOptions options = project.options().segment;
     Segmentation rooms = followed_rooms(follower, options, warnings_of(project.position()));
     print_warnings(rooms.report.warnings);
-    io::RunInfo info = run_info_of(options);
+    io::RunInfo info = run_info_of(options, {});
     info.input = project.position().log;
     info.input_hash = project.position().log_hash;
     const Uninterrupted uninterrupted;

@@ -38,14 +38,12 @@ struct PlayChoice {
     double speed = 0.0;
 };
 
-std::vector<OptionField> play_fields(PlayChoice& choice) {
-    std::vector<OptionField> fields;
+void add_fields(PlayChoice& choice, std::vector<OptionField>& fields) {
     fields.push_back({"every", "scans", 0, 1e9, "writes the results so often; 0: at the end", "",
-                      &choice.every});
+                      &choice.every, Decides::run});
     fields.push_back({"speed", "", 0.0, 1e6,
                       "times as fast as the robot was, no wait above 5 s; 0: as fast as it can", "",
-                      &choice.speed});
-    return fields;
+                      &choice.speed, Decides::run});
 }
 
 void write(io::FileBatch& output, const FollowSession& session, const Segmentation& rooms,
@@ -56,28 +54,24 @@ void write(io::FileBatch& output, const FollowSession& session, const Segmentati
 }
 
 FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
-                            const PosedLog& log) {
+                            const RunOptions& run, const PosedLog& log) {
     const std::optional<std::string> project = arguments.value("--project");
-    if (!project) return {options, log.scans, log.lines};
+    if (!project) return {options, run, log.scans, log.lines};
     store::LogPosition position;
     position.log = io::display_name(arguments.operands[0]);
     position.log_hash = hash_of(log.scans, log.content_hash);
-    return {options, log.scans, log.lines,
-            open_project(*project, options, position, log.scans.size())};
+    return {run, log.scans, log.lines, open_project(*project, options, position, log.scans.size())};
 }
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     io::FileBatch output = begin_output(arguments, followed_files());
     FollowOptions options;
-    options.resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    RunOptions run_options;
     PlayChoice play;
-    std::vector<OptionField> fields = option_fields(options.segment);
-    const std::vector<OptionField> more = play_fields(play);
-    fields.insert(fields.end(), more.begin(), more.end());
-    set_fields(arguments, fields);
-    const RunDevice device(arguments, options.segment);
-    options.segment.accelerator = device.accelerator();
+    set_fields(arguments, option_fields(options, run_options, play));
+    const RunDevice device(arguments, run_options.num_threads);
+    run_options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
@@ -85,10 +79,10 @@ void run(const Arguments& arguments) {
         parse_posed_log(open_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
 
     clock.begin("follow");
-    io::RunInfo info = run_info_of(options.segment);
+    io::RunInfo info = run_info_of(options.segment, run_options);
     info.input = arguments.operands[0];
     info.input_hash = log.content_hash;
-    FollowSession session = begin_session(arguments, options, log);
+    FollowSession session = begin_session(arguments, options, run_options, log);
     const Follower& follower = session.follower();
     Pace pace(play.speed, machine_clock());
     while (!session.is_done()) {
@@ -123,10 +117,10 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 Command follow_command() {
-    SegmentOptions defaults;
+    FollowOptions defaults;
+    RunOptions run_options;
     PlayChoice play;
-    const std::vector<OptionField> fields = option_fields(defaults);
-    const std::vector<OptionField> more = play_fields(play);
+    const std::vector<OptionField> fields = option_fields(defaults, run_options, play);
     CommandForm form;
     form.name = "follow";
     form.text = "Follows a robot through a laser log (CARMEN): map, rooms and doors, scan by scan.";
@@ -134,21 +128,19 @@ Command follow_command() {
     form.flags = {
         output_flag(),
         force_flag(),
-        resolution_flag(),
-        flag_of(more, "every", "N"),
-        flag_of(more, "speed", "X"),
+        flag_of(fields, "resolution", "M"),
+        flag_of(fields, "every", "N"),
+        flag_of(fields, "speed", "X"),
         poses_flag(),
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
         flag_of(fields, "threads", "N"),
         device_flag(),
-        {std::string(kSetFlag), "", "NAME=VALUE",
-         "any other option ('quadcut options' lists them); may be repeated"},
+        set_flag(),
         json_flag(),
         quiet_flag()};
     form.settings = names_of(fields);
-    for (const std::string& name : names_of(more)) form.settings.push_back(name);
     form.examples = {
         "quadcut follow build/demo/simulation/robot.log -o followed",
         "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut"};

@@ -22,17 +22,12 @@ constexpr std::chrono::milliseconds kSaveAfter{500};
 /// A project goes on with the options that it has.
 void require_same(const std::filesystem::path& path, FollowOptions project, FollowOptions given) {
     const std::string name = io::display_name(path);
-    if (project.resolution_m != given.resolution_m) {
-        throw InputError(name + ": has a resolution of " + std::to_string(project.resolution_m) +
-                         " m: expected the same for this run, not " +
-                         std::to_string(given.resolution_m));
-    }
-    const std::vector<OptionField> had = option_fields(project.segment);
-    const std::vector<OptionField> has = option_fields(given.segment);
+    const std::vector<OptionField> had = option_fields(project);
+    const std::vector<OptionField> has = option_fields(given);
     for (std::size_t i = 0; i < had.size(); ++i) {
         const std::string before = io::option_text(had[i]);
         const std::string now = io::option_text(has[i]);
-        if (had[i].name == "threads" || before == now) continue;
+        if (had[i].decides != Decides::result || before == now) continue;
         std::string what = name;
         what.append(": was begun with ").append(had[i].name).append(" = ").append(before);
         throw InputError(what.append(": expected the same for this run, not ").append(now));
@@ -93,12 +88,12 @@ std::vector<std::string> warnings_of(const store::LogPosition& position) {
             "; the first: " + position.first_left_out};
 }
 
-FollowSession::FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+FollowSession::FollowSession(const RunOptions& run, std::span<const Scan> scans,
                              std::span<const std::uint64_t> lines, store::Project project)
     : scans_(scans),
       lines_(lines),
       project_(std::move(project)),
-      follower_(project_->follower(options.segment.num_threads)),
+      follower_(project_->follower(run)),
       position_(project_->position()),
       updates_(project_->update_lines()) {}
 

@@ -25,11 +25,11 @@ namespace quadcut {
 class FollowSession {
 public:
     /// `lines` are those of the scans in their log, or nothing: what a warning names.
-    FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+    FollowSession(const FollowOptions& options, const RunOptions& run, std::span<const Scan> scans,
                   std::span<const std::uint64_t> lines)
-        : scans_(scans), lines_(lines), follower_(options) {}
-    /// Goes on where the project is. @pre the project is of these scans and options.
-    FollowSession(const FollowOptions& options, std::span<const Scan> scans,
+        : scans_(scans), lines_(lines), follower_(options, run) {}
+    /// Goes on where the project is. @pre the project is of these scans.
+    FollowSession(const RunOptions& run, std::span<const Scan> scans,
                   std::span<const std::uint64_t> lines, store::Project project);
 
     [[nodiscard]] bool is_done() const { return position_.num_done >= scans_.size(); }

@@ -65,6 +65,8 @@ void print_json(const io::ScannedMap& log, const MapSummary& summary) {
 
 void run(const Arguments& arguments) {
     io::FileBatch output = begin_output(arguments, io::map_files());
+    IntegrateOptions integrate;
+    set_fields(arguments, option_fields(integrate));
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
@@ -73,9 +75,10 @@ void run(const Arguments& arguments) {
     const auto source = io::open_scan_source(open_log(arguments.operands[0]),
                                              {poses_of(arguments), resolution_m, {}});
     clock.begin("map");
-    const io::ScannedMap log = io::map_scans(*source, resolution_m, [&](std::size_t num_done) {
-        progress.update(num_done, source->facts().num_scans, {"scans", {}});
-    });
+    const io::ScannedMap log =
+        io::map_scans(*source, resolution_m, integrate, [&](std::size_t num_done) {
+            progress.update(num_done, source->facts().num_scans, {"scans", {}});
+        });
     clock.begin("write");
     {
         const Uninterrupted uninterrupted;
@@ -102,8 +105,10 @@ Command map_command() {
         "Makes a map of a laser log (CARMEN, plain or .gz; '-' is standard input): map.pgm and "
         "map.yaml.";
     form.operands = {"LOG"};
-    form.flags = {output_flag(), force_flag(), resolution_flag(),
-                  poses_flag(),  json_flag(),  quiet_flag()};
+    form.flags = {output_flag(), force_flag(), resolution_flag(), poses_flag(),
+                  set_flag(),    json_flag(),  quiet_flag()};
+    IntegrateOptions defaults;
+    form.settings = names_of(option_fields(defaults));
     form.examples = {"quadcut map build/demo/simulation/robot.log -o map",
                      "quadcut map build/demo/simulation/robot.log -o true_map --poses "
                      "build/demo/simulation/true_poses.tum"};

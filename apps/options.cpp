@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/options.hpp"
+
+#include "quadcut/follow/options.hpp"
 
 #include <iostream>
 #include <string>
@@ -11,7 +12,7 @@
 #include "apps/device.hpp"
 #include "apps/option_help.hpp"
 #include "io/option_text.hpp"
-#include "quadcut/base/option_field.hpp"
+#include "quadcut/base/run_options.hpp"
 
 namespace quadcut {
 namespace {
@@ -55,8 +56,9 @@ std::string as_markdown(const std::vector<OptionField>& fields, const CommandFor
 }
 
 void run(const Arguments& arguments) {
-    SegmentOptions defaults;
-    std::vector<OptionField> fields = option_fields(defaults);
+    FollowOptions defaults;
+    RunOptions run_options;
+    std::vector<OptionField> fields = option_fields(defaults, run_options);
     DeviceKind kind = DeviceKind::cpu;
     for (OptionField& field : device_fields(kind)) fields.push_back(std::move(field));
     std::cout << (arguments.has("--markdown") ? as_markdown(fields, segment_command().form)

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/leaf.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/spectral/graph.hpp"
 
 namespace quadcut {

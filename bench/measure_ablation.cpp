@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // What each ingredient is worth: hand-labelled maps with one thing changed at a time.
-//   micro_ablation [BUILDING] [--simulated N] [-o FILE.json]
+//   measure_ablation [BUILDING] [--simulated N] [-o FILE.json]
 // tools/train/ablation.py runs it with each building left out of the training of the door model,
 // and makes the table.
 #include <chrono>
@@ -11,10 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
+#include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/segment/segment.hpp"
 
@@ -42,9 +43,8 @@ Score try_variant(const Variant& variant, const GridMap& map, std::span<const Po
                   const io::LabelImage& truth) {
     SegmentOptions options;
     variant.change(options);
-    options.num_threads = 1;
     const auto start = std::chrono::steady_clock::now();
-    const Segmentation rooms = segment(map, options, trajectory);
+    const Segmentation rooms = segment(map, options, RunOptions{1}, trajectory);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     return {eval::score_rooms(as_label_image(rooms.labels), truth).pq, elapsed.count()};

@@ -13,8 +13,6 @@ if(NOT QUADCUT_ONLY_CORE)
     list(APPEND quadcut_components io project)
     set(headers_left_out "")
     install(TARGETS quadcut)
-    # What quadcut/project.hpp shows; it includes headers of the core only.
-    install(FILES ${PROJECT_SOURCE_DIR}/src/project/project.hpp DESTINATION ${headers_dir}/project)
     install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindLibYaml.cmake DESTINATION ${package_dir})
 endif()
 
@@ -24,6 +22,20 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/quadcut/ DESTINATION ${headers_d
 install(FILES ${PROJECT_BINARY_DIR}/include/quadcut/version.hpp DESTINATION ${headers_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/quadcut/ DESTINATION ${headers_dir}
     FILES_MATCHING PATTERN *.hpp)
+# Those of src/project, too. They say "project/...", and lie in quadcut/project now.
+if(NOT QUADCUT_ONLY_CORE)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/project DESTINATION ${headers_dir}
+        FILES_MATCHING PATTERN *.hpp)
+    install(CODE "set(headers_dir ${headers_dir})")
+    install(CODE [[
+        set(headers_dir $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${headers_dir})
+        file(GLOB headers ${headers_dir}/project/*.hpp)
+        foreach(header IN LISTS headers ITEMS ${headers_dir}/project.hpp)
+            file(READ ${header} text)
+            string(REPLACE "#include \"project/" "#include \"quadcut/project/" text "${text}")
+            file(WRITE ${header} "${text}")
+        endforeach()]])
+endif()
 
 # One file of targets a component, so that who asks for one needs what that one links, no more.
 foreach(component IN LISTS quadcut_components)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
 #include <limits>
+
 #include <quadcut/error.hpp>
 #include <quadcut/map.hpp>
 #include <quadcut/scan.hpp>
@@ -18,3 +19,4 @@ int main() {
         std::cout << error.what() << '\n';
     }
 }
+// Prints: map: the point (inf, 0.000000) m lies more than 2^28 cells away

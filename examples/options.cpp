@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
+
 #include <quadcut/options.hpp>
 #include <quadcut/segment.hpp>
 
@@ -11,9 +12,9 @@ int main() {
     options.rooms.granularity = 0.0;   // few large rooms
     options.rooms.door_width_m = 0.5;  // what is wider than this is no door
     const quadcut::Segmentation result = quadcut::segment(two_rooms(), options);
-    std::cout << result.rooms.size() << " room; the options are";
+    std::cout << result.rooms.size() << " room\n";
     for (const quadcut::OptionField& field : quadcut::option_fields(options)) {
-        if (field.name.starts_with("rooms.")) std::cout << ' ' << field.name;
+        if (field.unit == "m") std::cout << field.name << ": " << field.text << '\n';
     }
-    std::cout << '\n';
 }
+// Prints: 1 room

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
+
 #include <quadcut/result.hpp>
 #include <quadcut/segment.hpp>
 
@@ -18,3 +19,4 @@ int main() {
     const std::uint16_t label = result.labels.at({20, 40});
     std::cout << "(20, 40) is in " << result.rooms[label - 1U].name << '\n';
 }
+// Prints: room 1: 16 m2; room 2: 16.045 m2; a door of 0.95 m; (20, 40) is in room 1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
+
 #include <quadcut/map.hpp>
 #include <quadcut/scan.hpp>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include <quadcut/map.hpp>
 
 /// Two rooms of 4 m x 4 m and a doorway of 0.9 m in the wall between them; cells of 5 cm.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <iostream>
+
 #include <quadcut/version.hpp>
 
 static_assert(QUADCUT_VERSION_MAJOR == 0 && QUADCUT_VERSION_MINOR == 2);

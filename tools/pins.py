@@ -137,7 +137,7 @@ def run_cases(cases: list[Case], program: Path, shared: Path) -> tuple[Pins, dic
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(run, sorted(cases, key=lambda case: -case.seconds)))
-    return pins, failed
+    return pins, dict(sorted(failed.items()))
 
 
 # ---- the files of pins: a line a case with its score, and below it a line a file
@@ -188,8 +188,8 @@ def differing(pinned: Pin, found: Pin) -> list[str]:
 
 
 def told(lines: dict[str, str]) -> str:
-    """Sorted, and not too many."""
-    shown = [f"{name}: {line}" for name, line in sorted(lines.items())[:MAX_TOLD]]
+    """A line each, and not too many of them."""
+    shown = [f"{name}: {line}" for name, line in list(lines.items())[:MAX_TOLD]]
     return "\n".join(shown + [f"... and {len(lines) - MAX_TOLD} more"] * (len(lines) > MAX_TOLD))
 
 
@@ -202,7 +202,7 @@ def kinds(differences: dict[str, list[str]]) -> str:
 
 def tell_differences(differences: dict[str, list[str]], num_cases: int) -> None:
     print(told({name: ", ".join(what[:6] + [f"{len(what) - 6} more"] * (len(what) > 6))
-                for name, what in differences.items()}))
+                for name, what in sorted(differences.items(), key=lambda one: (-len(one[1]), one[0]))}))
     print(f"{len(differences)} of {num_cases} cases differ from tests/pins: {kinds(differences)}")
     print("Where that is meant, `tools/pins.py renew` pins what is now, in a commit of its own.")
 
@@ -216,9 +216,9 @@ def check(groups: dict[str, Group], program: Path, shared: Path, folder: Path, o
             return SKIPPED
     found, failed = run_cases([case for case in cases if case.name in pinned], program, shared)
     known = {case.name for case in cases}
-    failed |= {name: "there is no such case; renew forgets it" for name in pinned.keys() - away.keys() - known}
+    failed |= {name: "there is no such case; renew forgets it" for name in sorted(pinned.keys() - away.keys() - known)}
     if known - pinned.keys():
-        print(told({name: "not pinned yet" for name in known - pinned.keys()}))
+        print(told({name: "not pinned yet" for name in sorted(known - pinned.keys())}))
     differences = {name: what for name, pin in found.items() if (what := differing(pinned[name], pin))}
     if failed:
         print(told(failed))

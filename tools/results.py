@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 MARK = re.compile(r"(<!-- bench:([\w-]+) -->\n)(.*?)(<!-- /bench:\2 -->)", re.DOTALL)
-PAGES = ("README.md", "docs/results.md")
+PAGES = ("README.md", "docs/results.md", "docs/api.md")
 KINDS = ("plain", "furnished", "kth")
 DASH = "–"
 
@@ -398,10 +398,22 @@ def follow(files: dict, old: str) -> str | None:
     return table(["", *(row["input"] for row in logs)], lines) + source(files["follow"])
 
 
+def headers(files: dict, old: str) -> str | None:
+    del old
+    if "headers" not in files:
+        return None
+    lines = [[f"`{row['header']}`", str(row["num_headers"]), f"{row['standard_ms']:.0f}",
+              f"{row['compile_ms']:.0f}", f"{row['compile_ms'] - row['standard_ms']:.0f}"]
+             for row in files["headers"]["rows"]]
+    return (table(["header", "headers of quadcut", "standard ms", "with it ms", "more ms"], lines)
+            + source(files["headers"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
-          "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow}
+          "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
+          "headers": headers}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

@@ -25,8 +25,9 @@ struct MapInFile {
 /// .gz), which is taken as 0.05 m a pixel. docs/formats.md says how.
 [[nodiscard]] MapInFile read_map(const std::filesystem::path& path);
 
-/// Hands on the scans of a CARMEN log one by one, in their order; returns what a user should know of
-/// the log, a line each. What `visit` throws comes out here.
+/// Hands on the scans of a CARMEN log one by one, in their order, but for those too far from the
+/// others for one map of cells of 5 cm; returns what a user should know of the log, a line each.
+/// What `visit` throws comes out here.
 std::vector<std::string> read_scans(const std::filesystem::path& path,
                                     const std::function<void(const Scan&)>& visit);
 

@@ -21,6 +21,8 @@ void write_options(io::JsonWriter& json, const std::vector<OptionField>& options
             json.exact_number(**real);
         } else if (std::size_t* const* count = std::get_if<std::size_t*>(&option.value)) {
             json.integer(**count);
+        } else if (int* const* whole = std::get_if<int*>(&option.value)) {
+            json.exact_number(**whole);
         } else {
             json.text(io::option_text(option));
         }

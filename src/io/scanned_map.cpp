@@ -9,7 +9,8 @@
 
 namespace quadcut::io {
 
-ScannedMap map_scans(ScanSource& source, double resolution_m, const ScanProgress& progress) {
+ScannedMap map_scans(ScanSource& source, double resolution_m, const IntegrateOptions& integrate,
+                     const ScanProgress& progress) {
     ScannedMap result;
     const auto next = [&] {
         std::optional<Scan> scan = source.next();
@@ -17,7 +18,7 @@ ScannedMap map_scans(ScanSource& source, double resolution_m, const ScanProgress
             result.trajectory.push_back({scan->world_from_sensor.x, scan->world_from_sensor.y});
         return scan;
     };
-    const OccupancyMap map = map_from_scans(next, resolution_m, {}, progress);
+    const OccupancyMap map = map_from_scans(next, resolution_m, integrate, progress);
     result.map = map.to_grid();
     if (result.map.states.values.empty()) {
         throw InputError(source.facts().name +

@@ -22,6 +22,7 @@ struct ScannedMap {
 
 /// Maps what is left of a source. Throws InputError when nothing comes of it.
 [[nodiscard]] ScannedMap map_scans(ScanSource& source, double resolution_m,
+                                   const IntegrateOptions& integrate,
                                    const ScanProgress& progress = {});
 
 }  // namespace quadcut::io

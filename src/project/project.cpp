@@ -23,8 +23,7 @@ constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 void write_options(const Database& database, FollowOptions options) {
     Statement insert(database, "INSERT INTO options VALUES(?, ?)");
     for (const OptionField& field : option_fields(options.segment)) {
-        // The result is the same on any number of threads.
-        if (field.name == "threads") continue;
+        if (field.decides != Decides::result) continue;
         const std::string value = io::option_text(field);
         insert.bind(1, field.name).bind(2, std::string_view(value)).run();
     }
@@ -74,9 +73,10 @@ Statement meta(const Database& database, std::string_view key) {
 /// Whether an option of earlier projects, which is none any more, has the value that all have now.
 /// Throws InputError when it has another one.
 bool is_without_choice(std::string_view name, std::string_view value) {
-    // They meant something for rooms.fuse=ratio or rooms.pieces=spectral only.
-    if (name == "rooms.min_ratio" || name == "rooms.max_eigenvalue" || name == "rooms.laplacian" ||
-        name == "rooms.full_clearance") {
+    // Components are the same however they are found; the others meant something for
+    // rooms.fuse=ratio or rooms.pieces=spectral only.
+    if (name == "paper.components" || name == "rooms.min_ratio" || name == "rooms.max_eigenvalue" ||
+        name == "rooms.laplacian" || name == "rooms.full_clearance") {
         return true;
     }
     const std::string_view left = name == "rooms.fuse"        ? "model"
@@ -207,11 +207,9 @@ void Project::read_position() {
     position_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
 }
 
-Follower Project::follower(std::size_t num_threads) const {
+Follower Project::follower(const RunOptions& run) const {
     try {
-        FollowOptions options = options_;
-        options.segment.num_threads = num_threads;
-        return Follower(options, read_state(database_));
+        return Follower(options_, read_state(database_), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();

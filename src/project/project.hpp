@@ -48,7 +48,7 @@ public:
     [[nodiscard]] const FollowOptions& options() const { return options_; }
     [[nodiscard]] const LogPosition& position() const { return position_; }
     /// The follower as it was when last saved. O(project).
-    [[nodiscard]] Follower follower(std::size_t num_threads = 2) const;
+    [[nodiscard]] Follower follower(const RunOptions& run = {}) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
     /// All edits of people, the first first.

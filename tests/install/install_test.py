@@ -46,11 +46,11 @@ def fresh(name: str) -> Path:
 
 
 def require_printed(program: Path) -> None:
-    """The program prints what the last line of its source says, if that does."""
+    """The program first prints the line that its source says at the end, if it does."""
     source = (SOURCE / "examples" / f"{program.name}.cpp").read_text(encoding="utf-8")
-    printed = run(program, cwd=program.parent).strip()
+    printed = run(program, cwd=program.parent).splitlines()[:1]
     said = re.findall(r"^// Prints: (.*)$", source, re.MULTILINE)
-    require(printed != "" and said in ([], [printed]), f"{program.name} prints: {printed}")
+    require(printed != [] and said in ([], printed), f"{program.name} prints: {printed}")
 
 
 def install() -> None:

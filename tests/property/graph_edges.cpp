@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "tests/unit/paper/small_map.hpp"
 

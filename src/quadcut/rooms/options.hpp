@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
-
 namespace quadcut {
+
+struct OptionField;
 
 /// The preset `rooms`. Two knobs are public; the rest is for experiments.
 struct RoomsOptions {

@@ -49,9 +49,8 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     connect_regions(labels, goes_on, executor);
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
-    const Adoption adoption = adopt_pockets(
-        labels, floor.free,
-        find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor), executor);
+    const Adoption adoption =
+        adopt_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor);
     drop_without_floor(labels, floor.free, executor);
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {

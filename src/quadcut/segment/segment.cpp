@@ -9,9 +9,9 @@
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
@@ -139,10 +139,10 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
 
 }  // namespace
 
-Segmentation segment(const GridMap& map, const SegmentOptions& options,
-                     std::span<const Point> trajectory, const StageCallback& on_stage) {
-    StageClock clock(on_stage);
-    const Executor executor{static_cast<int>(options.num_threads), options.accelerator};
+Segmentation segment(const GridMap& map, const SegmentOptions& options, const RunOptions& run,
+                     std::span<const Point> trajectory) {
+    StageClock clock(run.on_stage);
+    const Executor executor = run.executor();
     Segmentation result =
         options.preset == Preset::rooms
             ? segment_rooms(map, options, trajectory, clock, executor)

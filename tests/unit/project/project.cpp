@@ -172,7 +172,8 @@ TEST(Project, OptionsThatAreNoneAnyMoreAreReadOver) {
         .run(
             "INSERT INTO options VALUES('rooms.fuse', 'model'), ('rooms.furniture', 'off_wall'), "
             "('rooms.min_ratio', '0.6'), ('rooms.pieces', 'basins'), ('rooms.laplacian', 'area'), "
-            "('rooms.max_eigenvalue', '0.8'), ('rooms.full_clearance', '1.5')");
+            "('rooms.max_eigenvalue', '0.8'), ('rooms.full_clearance', '1.5'), "
+            "('paper.components', 'null_space')");
     EXPECT_EQ(Project(path, Access::write).follower().num_rooms(), 2U);
     for (const auto& [name, value, words] :
          {std::array{"rooms.fuse", "ratio",

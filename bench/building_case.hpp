@@ -3,12 +3,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "eval/labels.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/raster.hpp"
@@ -20,7 +20,7 @@ namespace quadcut {
 inline constexpr std::array<double, 3> kFurniture{0.0, 0.5, 1.0};
 /// Furniture, direction, way of mapping: each building is one combination.
 inline constexpr std::size_t kNumCombinations = 12;
-/// The door model is trained on the seeds 1000 to 1599 (micro_doors --buildings 600): these are
+/// The door model is trained on the seeds 1000 to 1599 (measure_doors --buildings 600): these are
 /// other buildings.
 inline constexpr std::uint64_t kFirstSeed = 5001;
 
@@ -59,24 +59,6 @@ struct MappedBuilding {
     /// 0 where the map is not free.
     Raster<std::uint32_t> truth;
 };
-
-/// The labels of a map at the free cells of another one, by the map frame; 0 beyond.
-template <typename Label>
-Raster<std::uint32_t> labels_at(const GridMap& labelled, const Raster<Label>& labels,
-                                const GridMap& map) {
-    Raster<std::uint32_t> result(map.states.origin, map.states.width, map.states.height);
-    const Pose labelled_from_map = compose(inverse(labelled.map_from_image), map.map_from_image);
-    for (std::size_t i = 0; i < result.values.size(); ++i) {
-        if (map.states.values[i] != CellState::free) continue;
-        const Cell cell = result.cell(i);
-        const Point at = transform(labelled_from_map, {(cell.x + 0.5) * map.resolution_m,
-                                                       (cell.y + 0.5) * map.resolution_m});
-        const Cell from{static_cast<std::int32_t>(std::floor(at.x / labelled.resolution_m)),
-                        static_cast<std::int32_t>(std::floor(at.y / labelled.resolution_m))};
-        if (labels.contains(from)) result.values[i] = labels.at(from);
-    }
-    return result;
-}
 
 /// The true rooms at the free cells of another map of the building.
 inline Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map) {

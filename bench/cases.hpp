@@ -4,18 +4,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include "eval/score.hpp"
-#include "io/label_image.hpp"
 #include "quadcut/base/parallel.hpp"
-#include "quadcut/map/grid_map.hpp"
-#include "quadcut/map/raster.hpp"
 
 // What benchmarks have in common that measure the same thing case by case.
 namespace quadcut {
@@ -44,26 +39,6 @@ private:
     std::size_t count_;
     std::size_t num_done_ = 0;
 };
-
-/// A raster as scores want it. Upside down, which changes no score when both sides are.
-template <typename Label>
-io::LabelImage as_label_image(const Raster<Label>& labels,
-                              std::size_t ignored_cells = io::kIgnoredRegionPixels) {
-    const std::vector<std::uint32_t> values(labels.values.begin(), labels.values.end());
-    return io::number_regions(labels.width, labels.height, values, ignored_cells);
-}
-
-/// An image of labels as a raster: its lowest row first.
-inline Raster<std::uint32_t> as_raster(const io::LabelImage& image) {
-    Raster<std::uint32_t> raster({0, 0}, image.width, image.height);
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        const Cell cell = raster.cell(i);
-        const auto row = static_cast<std::size_t>(image.height - 1 - cell.y);
-        raster.values[i] = image.values[row * static_cast<std::size_t>(image.width) +
-                                        static_cast<std::size_t>(cell.x)];
-    }
-    return raster;
-}
 
 /// The value at a quantile of values in ascending order, 0..1; 0 when there are none.
 inline double quantile(const std::vector<double>& ascending, double q) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 
 #include <numeric>
 #include <string>
@@ -9,30 +9,31 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/random.hpp"
+#include "quadcut/segment/inside.hpp"
 #include "tests/unit/map/reference_tree.hpp"
 
 namespace quadcut {
 namespace {
 
-/// 1 + the component of each cell; 0 where none is.
-Raster<std::uint32_t> labels_of(const FreeComponents& free) {
-    Raster<std::uint32_t> labels(free.origin, free.parts.width,
-                                 static_cast<std::int32_t>(free.parts.row_begin.size() - 1));
-    std::vector<std::uint32_t> own(free.components.size() + 1);
+/// The part of each cell; 0 where none is.
+Raster<std::uint32_t> labels_of(const ConnectedParts& free) {
+    Raster<std::uint32_t> labels({0, 0}, free.width,
+                                 static_cast<std::int32_t>(free.row_begin.size() - 1));
+    std::vector<std::uint32_t> own(free.count + std::size_t{1});
     std::iota(own.begin(), own.end(), 0U);
-    free.parts.paint(own, labels);
+    free.paint(own, labels);
     return labels;
 }
 
-FreeComponents components_of(const std::vector<std::string>& rows) {
-    return find_free_components(test::grid_from_text(rows).states);
+ConnectedParts components_of(const std::vector<std::string>& rows) {
+    return free_parts(test::grid_from_text(rows).states);
 }
 
 TEST(Components, NeighboursAreFourNotEight) {
-    const FreeComponents free = components_of({".#.",  //
+    const ConnectedParts free = components_of({".#.",  //
                                                "#..",  //
                                                ".#."});
-    ASSERT_EQ(free.components.size(), 3U);
+    ASSERT_EQ(free.count, 3U);
     const Raster<std::uint32_t> labels = labels_of(free);
     EXPECT_EQ(labels.at({0, 0}), 1U);
     EXPECT_EQ(labels.at({2, 0}), 2U);
@@ -40,32 +41,30 @@ TEST(Components, NeighboursAreFourNotEight) {
     EXPECT_EQ(labels.at({2, 2}), 2U);
     EXPECT_EQ(labels.at({0, 2}), 3U);
     EXPECT_EQ(labels.at({1, 0}), 0U);
-    EXPECT_EQ(free.components[1].num_cells, 4U);
-    EXPECT_EQ(free.components[1].num_border_cells, 3U);
+    EXPECT_EQ(free.num_cells(), (std::vector<std::size_t>{0, 1, 4, 1}));
 }
 
 TEST(Components, ArmsThatMeetLateAreOne) {
-    const FreeComponents free = components_of({".........",  //
+    const ConnectedParts free = components_of({".........",  //
                                                ".#######.",  //
                                                ".#.#.#.#.",  //
                                                ".#.....#.",  //
                                                ".#######."});
-    ASSERT_EQ(free.components.size(), 2U);
-    EXPECT_EQ(free.components[0].num_cells, 17U);
-    EXPECT_EQ(free.components[1].num_cells, 8U);
-    EXPECT_EQ(free.components[1].num_border_cells, 0U);
+    ASSERT_EQ(free.count, 2U);
+    EXPECT_EQ(free.num_cells(), (std::vector<std::size_t>{0, 17, 8}));
+    EXPECT_EQ(free.on_edge(), (std::vector<bool>{false, true, false}));
 }
 
 TEST(Components, TheGroundAroundABuildingIsOutside) {
-    const FreeComponents free = components_of({"........",  //
+    const ConnectedParts free = components_of({"........",  //
                                                ".######.",  //
                                                ".#....#.",  //
                                                ".#....#.",  //
                                                ".######.",  //
                                                "........"});
-    EXPECT_EQ(find_outside(free, 4), 0U);
+    EXPECT_EQ(find_outside(free, 4), 1U);
     // Too small to be a building.
-    EXPECT_EQ(find_outside(free, 9), std::nullopt);
+    EXPECT_EQ(find_outside(free, 9), 0U);
 }
 
 TEST(Components, WhatHoldsTheFloorIsNotOutside) {
@@ -73,31 +72,19 @@ TEST(Components, WhatHoldsTheFloorIsNotOutside) {
     std::vector<std::string> rows(40, std::string(40, '.'));
     for (std::size_t i = 10; i < 14; ++i)
         rows[10][i] = rows[13][i] = rows[i][10] = rows[i][13] = '#';
-    EXPECT_EQ(find_outside(components_of(rows), 2), std::nullopt);
+    EXPECT_EQ(find_outside(components_of(rows), 2), 0U);
 }
 
 TEST(Components, ACroppedRoomIsNotOutside) {
-    EXPECT_EQ(find_outside(components_of({"....", "....", "...."}), 1), std::nullopt);
+    EXPECT_EQ(find_outside(components_of({"....", "....", "...."}), 1), 0U);
     EXPECT_EQ(find_outside(components_of({"######",  //
                                           "...#..",  //
                                           "...#..",  //
                                           "######"}),
                            1),
-              std::nullopt);
-    EXPECT_EQ(find_outside(components_of({"####", "####"}), 1), std::nullopt);
-    EXPECT_EQ(find_outside(FreeComponents{}, 1), std::nullopt);
-}
-
-TEST(Components, AreChosenByCells) {
-    const FreeComponents free = components_of({"..#..", "..#..", "#####", "....."});
-    const std::vector<Cell> robot{{4, 3}, {99, -5}, {2, 3}};
-    const std::vector<bool> visited = components_with(free, robot);
-    EXPECT_EQ(visited, (std::vector<bool>{false, false, true}));
-    const Raster<std::uint8_t> mask = mask_of(free, visited);
-    EXPECT_EQ(mask.at({3, 2}), 1);
-    EXPECT_EQ(mask.at({0, 2}), 0);
-    EXPECT_EQ(mask.at({2, 2}), 0);
-    EXPECT_EQ(mask.at({0, 0}), 0);
+              0U);
+    EXPECT_EQ(find_outside(components_of({"####", "####"}), 1), 0U);
+    EXPECT_EQ(find_outside(ConnectedParts{}, 1), 0U);
 }
 
 TEST(Components, AreWhatAFloodFindsOnRandomMaps) {
@@ -109,7 +96,7 @@ TEST(Components, AreWhatAFloodFindsOnRandomMaps) {
         for (CellState& state : states.values) {
             state = random.uniform() < 0.6 ? CellState::free : CellState::occupied;
         }
-        const FreeComponents free = find_free_components(states);
+        const ConnectedParts free = free_parts(states);
         Raster<std::uint32_t> flood({-4, 7}, width, height);
         std::uint32_t num_floods = 0;
         for (std::size_t seed = 0; seed < states.values.size(); ++seed) {
@@ -132,25 +119,11 @@ TEST(Components, AreWhatAFloodFindsOnRandomMaps) {
             }
         }
         ASSERT_EQ(labels_of(free).values, flood.values);
-        std::size_t num_border = 0;
-        std::size_t wanted = 0;
-        for (const FreeComponents::Component& component : free.components) {
-            num_border += component.num_border_cells;
-        }
-        for (std::size_t i = 0; i < states.values.size(); ++i) {
-            const Cell cell = states.cell(i);
-            wanted += states.values[i] == CellState::free &&
-                      (cell.x == -4 || cell.y == 7 || cell.x == width - 5 || cell.y == height + 6);
-        }
-        ASSERT_EQ(num_border, wanted);
     }
 }
 
 /// In noise there is one for every other cell: what each takes is what a cell takes.
-TEST(FreeComponents, AreSmall) {
-    EXPECT_LE(sizeof(FreeComponents::Component), 8U);
-    EXPECT_LE(sizeof(CellRun), 12U);
-}
+TEST(Components, AreSmall) { EXPECT_LE(sizeof(CellRun), 12U); }
 
 }  // namespace
 }  // namespace quadcut
