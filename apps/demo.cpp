@@ -18,7 +18,7 @@
 #include "apps/uninterrupted.hpp"
 #include "draw/filmstrip.hpp"
 #include "eval/truth_score.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"

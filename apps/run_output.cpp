@@ -4,15 +4,18 @@
 
 #include <utility>
 
-#include "formats/results.hpp"
-#include "io/map_writer.hpp"
+#include "formats/registry.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "quadcut/version.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr const char* kUpdates = "updates.jsonl";
+using formats::Part;
+
+formats::Formats followed_formats() {
+    return formats::formats_of({Part::rooms, Part::report, Part::map, Part::updates});
+}
 
 }  // namespace
 
@@ -24,12 +27,7 @@ io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run) {
     return info;
 }
 
-std::vector<std::string> followed_files() {
-    std::vector<std::string> files = formats::result_files();
-    for (std::string& file : io::map_files()) files.push_back(std::move(file));
-    files.emplace_back(kUpdates);
-    return files;
-}
+std::vector<std::string> followed_files() { return formats::files_of(followed_formats()); }
 
 Segmentation followed_rooms(const Follower& follower, const SegmentOptions& options,
                             std::vector<std::string> warnings) {
@@ -44,9 +42,7 @@ Segmentation followed_rooms(const Follower& follower, const SegmentOptions& opti
 
 void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,
                   const std::string& updates, const io::RunInfo& info) {
-    io::add_map(output, map);
-    formats::add_results(output, map, rooms, info);
-    output.add(kUpdates, updates);
+    formats::add_files(output, followed_formats(), {map, rooms, info, updates});
 }
 
 }  // namespace quadcut

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/file_batch.hpp"
-#include "io/report.hpp"
+#include "io/run_info.hpp"
 #include "quadcut/base/run_options.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/map/grid_map.hpp"
