@@ -246,7 +246,7 @@ void follow_buildings(std::size_t count, Json& rows) {
             follower.add_scan(scan);
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        Result result{compare_with_batch(follower, way, run)};
+        Result result{compare_with_batch(follower, way, {}, run)};
         if (chosen.num_rooms <= kMaxShuffledRooms)
             result.shuffled_pq = pq_in_another_order(scans, i);
         return result;

@@ -12,10 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "io/file.hpp"
+#include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
+#include "tests/unit/spectral/fake_accelerator.hpp"
 
 namespace quadcut::store {
 namespace {
@@ -85,6 +87,37 @@ TEST(Project, AFollowerGoesOnFromWhatWasSaved) {
     EXPECT_EQ(whole.rooms().next_id, follower.rooms().next_id);
 }
 
+TEST(Project, KeepsAllOptionsThatDecideTheResult) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "p.quadcut";
+    FollowOptions options;
+    options.resolution_m = 1.0 / 30.0;
+    options.integrate.miss = -2;
+    options.integrate.usable_range_m = 12.5;
+    options.min_change_m2 = 3.0;
+    options.segment.rooms.door_width_m = 2.0;
+    options.segment.seed = 7;
+    static_cast<void>(Project::create(path, options, some_log()));
+    FollowOptions kept = Project(path, Access::read).options();
+    const std::vector<OptionField> had = option_fields(options);
+    const std::vector<OptionField> has = option_fields(kept);
+    for (std::size_t i = 0; i < had.size(); ++i) {
+        EXPECT_EQ(io::option_text(has[i]), io::option_text(had[i])) << had[i].name;
+    }
+}
+
+TEST(Project, AFollowerUsesTheDeviceThatItIsGiven) {
+    const ScratchFolder folder;
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    const auto path = folder.path() / "p.quadcut";
+    static_cast<void>(Project::create(path, options, some_log()));
+    test::FakeAccelerator device(true);
+    Follower follower = Project(path, Access::read).follower(RunOptions{1, &device});
+    follower.update_cells(test::bare_hall());
+    EXPECT_GT(device.num_calls, 0);
+}
+
 TEST(Project, EditsAreRowsThatStay) {
     const ScratchFolder folder;
     const auto path = folder.path() / "p.quadcut";
@@ -127,8 +160,8 @@ TEST(Project, WhatIsNoProjectIsRefused) {
     EXPECT_EQ(open(path), "no error");
     Database(path, Access::write).run("CREATE TABLE extra(x)");
     EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=3");
-    EXPECT_THAT(open(path), HasSubstr("format version 3: expected 1 to 2; a newer quadcut"));
+    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=4");
+    EXPECT_THAT(open(path), HasSubstr("format version 4: expected 1 to 3; a newer quadcut"));
 }
 
 TEST(Project, RowsThatCannotBeAreRefused) {
@@ -153,7 +186,7 @@ TEST(Project, RowsThatCannotBeAreRefused) {
                                   "UPDATE meta SET value = 1 WHERE key = 'root_x'",
                                   "UPDATE meta SET value = 268435456 WHERE key = 'high_x'",
                                   "UPDATE meta SET value = -1 WHERE key = 'num_done'",
-                                  "UPDATE meta SET value = 1e300 WHERE key = 'resolution_m'",
+                                  "UPDATE options SET value = '1e300' WHERE name = 'resolution'",
                                   "UPDATE options SET value = 'nan' WHERE name = 'door_width'",
                                   "INSERT INTO changes VALUES(0, 0, 100)",
                                   "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {
