@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -9,11 +10,9 @@
 #include <vector>
 
 #include "apps/command.hpp"
-#include "apps/follow_session.hpp"
 #include "apps/map_of_result.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
-#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
@@ -23,6 +22,7 @@
 #include "io/map_server.hpp"
 #include "io/map_writer.hpp"
 #include "io/stored_result.hpp"
+#include "project/building_at.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -40,19 +40,20 @@ struct Exported {
 
 Exported export_project(const Arguments& arguments, const std::filesystem::path& path) {
     io::FileBatch output = begin_output(arguments, followed_files());
-    const store::Project project(path, store::Access::read);
-    const Follower follower = project.follower();
-    if (!follower.map().is_placed()) {
+    const Project project = Project::open(path, Access::read);
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    if (building->map().states.values.empty()) {
         throw InputError(io::display_name(path) + ": has no map yet: no scan was followed");
     }
+    const ScanPosition position = project.position().value_or(ScanPosition{});
     SegmentOptions options = project.options().segment;
-    Segmentation rooms = followed_rooms(follower, options, warnings_of(project.position()));
+    Segmentation rooms = followed_rooms(*building, options, warnings_of(position));
     print_warnings(rooms.report.warnings);
     io::RunInfo info = run_info_of(options);
-    info.input = project.position().log;
-    info.input_hash = project.position().log_hash;
+    info.input = position.source;
+    info.input_hash = position.source_hash;
     const Uninterrupted uninterrupted;
-    add_followed(output, follower.map().to_grid(), rooms, project.update_lines(), info);
+    add_followed(output, *building, rooms, info);
     output.commit();
     return {std::move(rooms), followed_files()};
 }
