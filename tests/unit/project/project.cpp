@@ -82,7 +82,7 @@ TEST(Project, NeedsNoLog) {
     EXPECT_EQ(project.state().num_scans, 40U);
     project.set_position(some_log());
     project.save();
-    EXPECT_THAT(error_of([&] { Project::open_or_create(path, {}, some_log()); }),
+    EXPECT_THAT(error_of([&] { static_cast<void>(Project::open_or_create(path, {}, some_log())); }),
                 HasSubstr("another program"));
 }
 
@@ -121,7 +121,7 @@ TEST(Project, BelongsToOneSourceAndItsOptions) {
     const ScratchFolder folder;
     const auto path = folder.path() / "in/new/p.quadcut";
     const auto begin = [&](const FollowOptions& options, const ScanPosition& source) {
-        return error_of([&] { Project::open_or_create(path, options, source); });
+        return error_of([&] { static_cast<void>(Project::open_or_create(path, options, source)); });
     };
     EXPECT_EQ(begin({}, some_log()), "no error");
     EXPECT_EQ(begin({}, some_log()), "no error");
@@ -138,8 +138,9 @@ TEST(Project, BelongsToOneSourceAndItsOptions) {
     EXPECT_THAT(begin(options, some_log()), HasSubstr("was begun with seed = 1"));
     const auto without = folder.path() / "without.quadcut";
     static_cast<void>(Project::create(without, {}));
-    EXPECT_THAT(error_of([&] { Project::open_or_create(without, {}, some_log()); }),
-                HasSubstr("without.quadcut: follows no log"));
+    EXPECT_THAT(
+        error_of([&] { static_cast<void>(Project::open_or_create(without, {}, some_log())); }),
+        HasSubstr("without.quadcut: follows no log"));
 }
 
 TEST(Project, EditsAreRowsThatStay) {

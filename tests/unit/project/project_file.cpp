@@ -38,7 +38,7 @@ std::size_t num_rooms_in(const std::filesystem::path& path) {
 TEST(ProjectFile, WhatIsNoProjectIsRefused) {
     const ScratchFolder folder;
     const auto open = [&](const std::filesystem::path& path) {
-        return error_of([&] { Project::open(path, Access::write); });
+        return error_of([&] { static_cast<void>(Project::open(path, Access::write)); });
     };
     EXPECT_THAT(open(folder.path() / "none"), HasSubstr("none: there is no such project file"));
     EXPECT_THAT(open(folder.path()), HasSubstr("is a folder: expected a project file"));
@@ -86,7 +86,8 @@ TEST(ProjectFile, RowsThatCannotBeAreRefused) {
                                   "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
-        const std::string error = error_of([&] { Project::open(path, Access::read); });
+        const std::string error =
+            error_of([&] { static_cast<void>(Project::open(path, Access::read)); });
         EXPECT_THAT(error, HasSubstr("p.quadcut: ")) << sql;
     }
 }
@@ -109,7 +110,7 @@ TEST(ProjectFile, OptionsThatAreNoneAnyMoreAreReadOver) {
         const std::filesystem::path file = folder.path() / name;
         std::filesystem::copy_file(path, file);
         Database(file, Access::write).run("REPLACE INTO options " + row);
-        EXPECT_THAT(error_of([&file] { Project::open(file, Access::read); }),
+        EXPECT_THAT(error_of([&file] { static_cast<void>(Project::open(file, Access::read)); }),
                     testing::AllOf(HasSubstr(name), HasSubstr(words)));
     }
 }
@@ -142,7 +143,7 @@ TEST(ProjectFile, OneProgramWritesAtATimeOthersRead) {
     const ScratchFolder folder;
     const auto path = folder.path() / "p.quadcut";
     Project writer = Project::create(path, {});
-    const auto write = [&] { Project::open(path, Access::write); };
+    const auto write = [&] { static_cast<void>(Project::open(path, Access::write)); };
     EXPECT_THAT(error_of(write), HasSubstr("another program is writing"));
     EXPECT_EQ(num_rooms_in(path), 0U);
     writer.add(test::bare_hall());

@@ -25,8 +25,9 @@ constexpr std::size_t kNumReaders = 4;
 /// All that is cheap to ask, in one number.
 std::uint64_t digest_of(const Snapshot& building) {
     const GridMap& map = building.map();
-    std::string bytes =
-        std::to_string(building.num_scans()) + " " + building.updates().substr(0, 9);
+    const std::string updates = building.updates();
+    std::string bytes = std::to_string(building.num_scans()) + " " +
+                        std::to_string(std::count(updates.begin(), updates.end(), '\n')) + " ";
     for (const auto& [id, room] : building.followed()) {
         bytes += std::to_string(id) + room.name + (room.is_locked ? "!" : "") +
                  std::to_string(room.num_cells) + " ";
