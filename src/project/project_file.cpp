@@ -31,21 +31,8 @@ void write_options(const Database& database, FollowOptions options) {
     }
 }
 
-void write_meta(const Database& database, std::string_view key, std::int64_t value) {
-    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
-        .bind(1, key)
-        .bind(2, value)
-        .run();
-}
-
-void write_meta(const Database& database, std::string_view key, double value) {
-    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
-        .bind(1, key)
-        .bind(2, value)
-        .run();
-}
-
-void write_meta(const Database& database, std::string_view key, std::string_view value) {
+template <typename Value>
+void write_meta(const Database& database, std::string_view key, Value value) {
     Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
         .bind(1, key)
         .bind(2, value)
