@@ -151,7 +151,7 @@ void run(const Arguments& arguments) {
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     SegmentOptions segment_options = options.segment;
-    io::RunInfo info = run_info_of(segment_options);
+    io::RunInfo info = run_info_of(segment_options, {});
     info.input = name;
     write(output, simulation, followed, score, info);
 

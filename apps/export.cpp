@@ -49,7 +49,7 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
     SegmentOptions options = project.options().segment;
     Segmentation rooms = followed_rooms(*building, options, warnings_of(position));
     print_warnings(rooms.report.warnings);
-    io::RunInfo info = run_info_of(options);
+    io::RunInfo info = run_info_of(options, {});
     info.input = position.source;
     info.input_hash = position.source_hash;
     const Uninterrupted uninterrupted;

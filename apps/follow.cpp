@@ -37,14 +37,12 @@ struct PlayChoice {
     double speed = 0.0;
 };
 
-std::vector<OptionField> play_fields(PlayChoice& choice) {
-    std::vector<OptionField> fields;
+void add_fields(PlayChoice& choice, std::vector<OptionField>& fields) {
     fields.push_back({"every", "scans", 0, 1e9, "writes the results so often; 0: at the end", "",
-                      &choice.every});
+                      &choice.every, Decides::run});
     fields.push_back({"speed", "", 0.0, 1e6,
                       "times as fast as the robot was, no wait above 5 s; 0: as fast as it can", "",
-                      &choice.speed});
-    return fields;
+                      &choice.speed, Decides::run});
 }
 
 void write(io::FileBatch& output, const Snapshot& building, const Segmentation& rooms,
@@ -55,27 +53,24 @@ void write(io::FileBatch& output, const Snapshot& building, const Segmentation& 
 }
 
 Project begin_project(const Arguments& arguments, const FollowOptions& options,
-                      const PosedLog& log) {
+                      const RunOptions& run, const PosedLog& log) {
     ScanPosition source;
     source.source = io::display_name(arguments.operands[0]);
     source.source_hash = hash_of(log.scans, log.content_hash);
     const std::optional<std::string> path = arguments.value("--project");
-    return path ? Project::open_or_create(*path, options, source)
-                : Project::in_memory(options, source);
+    return path ? Project::open_or_create(*path, options, source, run)
+                : Project::in_memory(options, source, run);
 }
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     io::FileBatch output = begin_output(arguments, followed_files());
     FollowOptions options;
-    options.resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    RunOptions run_options;
     PlayChoice play;
-    std::vector<OptionField> fields = option_fields(options.segment);
-    const std::vector<OptionField> more = play_fields(play);
-    fields.insert(fields.end(), more.begin(), more.end());
-    set_fields(arguments, fields);
-    const RunDevice device(arguments, options.segment);
-    options.segment.accelerator = device.accelerator();
+    set_fields(arguments, option_fields(options, run_options, play));
+    const RunDevice device(arguments, run_options.num_threads);
+    run_options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
@@ -83,10 +78,10 @@ void run(const Arguments& arguments) {
         parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
 
     clock.begin("follow");
-    io::RunInfo info = run_info_of(options.segment);
+    io::RunInfo info = run_info_of(options.segment, run_options);
     info.input = arguments.operands[0];
     info.input_hash = log.content_hash;
-    Project project = begin_project(arguments, options, log);
+    Project project = begin_project(arguments, options, run_options, log);
     Pace pace(play.speed, machine_clock());
     for (std::size_t i = project.position()->num_done; i < log.scans.size(); ++i) {
         pace.wait_for(log.scans[i].time_s, [&project] { return project.refine(); });
@@ -124,10 +119,10 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 Command follow_command() {
-    SegmentOptions defaults;
+    FollowOptions defaults;
+    RunOptions run_options;
     PlayChoice play;
-    const std::vector<OptionField> fields = option_fields(defaults);
-    const std::vector<OptionField> more = play_fields(play);
+    const std::vector<OptionField> fields = option_fields(defaults, run_options, play);
     CommandForm form;
     form.name = "follow";
     form.text = "Follows a robot through a laser log (CARMEN): map, rooms and doors, scan by scan.";
@@ -135,21 +130,19 @@ Command follow_command() {
     form.flags = {
         output_flag(),
         force_flag(),
-        resolution_flag(),
-        flag_of(more, "every", "N"),
-        flag_of(more, "speed", "X"),
+        flag_of(fields, "resolution", "M"),
+        flag_of(fields, "every", "N"),
+        flag_of(fields, "speed", "X"),
         poses_flag(),
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
         flag_of(fields, "threads", "N"),
         device_flag(),
-        {std::string(kSetFlag), "", "NAME=VALUE",
-         "any other option ('quadcut options' lists them); may be repeated"},
+        set_flag(),
         json_flag(),
         quiet_flag()};
     form.settings = names_of(fields);
-    for (const std::string& name : names_of(more)) form.settings.push_back(name);
     form.examples = {
         "quadcut follow build/demo/simulation/robot.log -o followed",
         "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut"};

@@ -9,7 +9,6 @@
 #include "io/carmen.hpp"
 #include "io/poses.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 
 namespace quadcut {
@@ -64,7 +63,8 @@ PosedLog parse_posed_log(io::InputFile log, const std::optional<std::filesystem:
 }
 
 LogMap map_log(io::InputFile log, const std::optional<std::filesystem::path>& poses,
-               double resolution_m, StageClock& clock, Progress& progress) {
+               double resolution_m, const IntegrateOptions& integrate, StageClock& clock,
+               Progress& progress) {
     clock.begin("read");
     PosedLog posed = parse_posed_log(std::move(log), poses, resolution_m);
     const std::vector<Scan>& scans = posed.scans;
@@ -72,9 +72,10 @@ LogMap map_log(io::InputFile log, const std::optional<std::filesystem::path>& po
     result.warnings = std::move(posed.warnings);
     result.content_hash = posed.content_hash;
     clock.begin("map");
-    const OccupancyMap map = map_from_scans(scans, resolution_m, {}, [&](std::size_t num_done) {
-        progress.update(num_done, scans.size(), {"scans", {}});
-    });
+    const OccupancyMap map =
+        map_from_scans(scans, resolution_m, integrate, [&](std::size_t num_done) {
+            progress.update(num_done, scans.size(), {"scans", {}});
+        });
     result.map = map.to_grid();
     if (result.map.states.values.empty()) {
         throw InputError(posed.name +

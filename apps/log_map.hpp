@@ -14,6 +14,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/integrate.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
@@ -48,6 +49,7 @@ struct PosedLog {
 /// Maps a log that was read, with poses as parse_posed_log() has them. The stages are `read` and
 /// `map`. Throws InputError.
 [[nodiscard]] LogMap map_log(io::InputFile log, const std::optional<std::filesystem::path>& poses,
-                             double resolution_m, StageClock& clock, Progress& progress);
+                             double resolution_m, const IntegrateOptions& integrate,
+                             StageClock& clock, Progress& progress);
 
 }  // namespace quadcut

@@ -65,12 +65,14 @@ void print_json(const LogMap& log, const MapSummary& summary) {
 
 void run(const Arguments& arguments) {
     io::FileBatch output = begin_output(arguments, io::map_files());
+    IntegrateOptions integrate;
+    set_fields(arguments, option_fields(integrate));
     const std::optional<double> resolution_m = resolution_of(arguments);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
     const LogMap log = map_log(read_log(arguments.operands[0]), poses_of(arguments),
-                               resolution_m.value_or(kLogResolution), clock, progress);
+                               resolution_m.value_or(kLogResolution), integrate, clock, progress);
     clock.begin("write");
     {
         const Uninterrupted uninterrupted;
@@ -97,8 +99,10 @@ Command map_command() {
         "Makes a map of a laser log (CARMEN, plain or .gz; '-' is standard input): map.pgm and "
         "map.yaml.";
     form.operands = {"LOG"};
-    form.flags = {output_flag(), force_flag(), resolution_flag(),
-                  poses_flag(),  json_flag(),  quiet_flag()};
+    form.flags = {output_flag(), force_flag(), resolution_flag(), poses_flag(),
+                  set_flag(),    json_flag(),  quiet_flag()};
+    IntegrateOptions defaults;
+    form.settings = names_of(option_fields(defaults));
     form.examples = {"quadcut map build/demo/simulation/robot.log -o map",
                      "quadcut map build/demo/simulation/robot.log -o true_map --poses "
                      "build/demo/simulation/true_poses.tum"};

@@ -15,13 +15,11 @@ constexpr const char* kUpdates = "updates.jsonl";
 
 }  // namespace
 
-io::RunInfo run_info_of(SegmentOptions& options) {
+io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run) {
     io::RunInfo info;
     info.version = QUADCUT_VERSION;
     info.options = option_fields(options);
-    // The result is the same on any number of threads.
-    std::erase_if(info.options, [](const OptionField& field) { return field.name == "threads"; });
-    info.num_threads = static_cast<int>(options.num_threads);
+    info.num_threads = static_cast<int>(run.num_threads);
     return info;
 }
 

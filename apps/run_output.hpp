@@ -9,6 +9,7 @@
 #include "io/file_batch.hpp"
 #include "io/report.hpp"
 #include "project/snapshot.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/result.hpp"
 
@@ -16,7 +17,7 @@ namespace quadcut {
 
 /// What files say of a run: program, options, threads; without its input. `options` is read when
 /// the files are written.
-[[nodiscard]] io::RunInfo run_info_of(SegmentOptions& options);
+[[nodiscard]] io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run);
 
 /// The files that come of following a robot.
 [[nodiscard]] std::vector<std::string> followed_files();

@@ -51,10 +51,11 @@ struct Input {
     bool is_log = false;
 };
 
-Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
-                   Progress& progress) {
-    LogMap log = map_log(std::move(file), poses_of(arguments),
-                         resolution_of(arguments).value_or(kLogResolution), clock, progress);
+Input input_of_log(const Arguments& arguments, io::InputFile file,
+                   const IntegrateOptions& integrate, StageClock& clock, Progress& progress) {
+    LogMap log =
+        map_log(std::move(file), poses_of(arguments),
+                resolution_of(arguments).value_or(kLogResolution), integrate, clock, progress);
     Input input;
     input.map = std::move(log.map);
     input.trajectory = std::move(log.trajectory);
@@ -78,6 +79,9 @@ Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatc
     input.keys = std::move(file.keys);
     input.warnings = std::move(file.warnings);
     input.content_hash = file.content_hash;
+    if (has_scan_setting(arguments)) {
+        input.warnings.emplace_back("options of scans play no part for a map");
+    }
     if (const auto poses = poses_of(arguments)) {
         for (const io::TimedPose& pose : io::read_poses(*poses)) {
             input.trajectory.push_back({pose.pose.x, pose.pose.y});
@@ -153,13 +157,15 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     SegmentOptions options;
-    const std::vector<OptionField> fields = option_fields(options);
-    set_fields(arguments, fields);
+    IntegrateOptions integrate;
+    RunOptions run_options;
+    set_fields(arguments, option_fields(options, integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
-    const RunDevice device(arguments, options);
-    options.accelerator = device.accelerator();
+    const RunDevice device(arguments, run_options.num_threads);
+    run_options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
+    run_options.on_stage = [&clock](std::string_view stage) { clock.begin(stage); };
 
     clock.begin("read");
     KnownInput known = read_map_or_log(arguments.operands[0]);
@@ -168,13 +174,12 @@ void run(const Arguments& arguments) {
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.file), clock, progress)
+                      ? input_of_log(arguments, std::move(known.file), integrate, clock, progress)
                       : input_of_map(arguments, std::move(known.file), output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
-    io::RunInfo info = run_info_of(options);
-    Segmentation rooms = segment(input.map, options, input.trajectory,
-                                 [&clock](std::string_view stage) { clock.begin(stage); });
+    io::RunInfo info = run_info_of(options, run_options);
+    Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
         if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);
@@ -203,7 +208,9 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
-    const std::vector<OptionField> fields = option_fields(defaults);
+    IntegrateOptions integrate;
+    RunOptions run_options;
+    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =
@@ -225,8 +232,7 @@ Command segment_command() {
                    "may be the folder of -o"},
                   flag_of(fields, "threads", "N"),
                   device_flag(),
-                  {std::string(kSetFlag), "", "NAME=VALUE",
-                   "any other option ('quadcut options' lists them); may be repeated"},
+                  set_flag(),
                   json_flag(),
                   quiet_flag()};
     form.settings = names_of(fields);

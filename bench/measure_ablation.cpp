@@ -68,9 +68,8 @@ Score try_variant(const Variant& variant, const GridMap& map, std::span<const Po
                   const io::LabelImage& truth) {
     SegmentOptions options;
     variant.change(options);
-    options.num_threads = 1;
     const auto start = std::chrono::steady_clock::now();
-    const Segmentation rooms = segment(map, options, trajectory);
+    const Segmentation rooms = segment(map, options, RunOptions{1}, trajectory);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     return {eval::score_rooms(as_label_image(rooms.labels), truth).pq, elapsed.count()};

@@ -238,15 +238,14 @@ void follow_buildings(std::size_t count, Json& rows) {
     const std::vector<Result> results = run_cases<Result>(count, [&](std::size_t i) {
         const BuildingCase chosen = building_case(i);
         const std::vector<Scan> scans = scans_of(chosen, building_of(chosen));
-        FollowOptions follow;
-        follow.segment.num_threads = 1;
-        Follower follower(follow);
+        const RunOptions run{1};
+        Follower follower({}, run);
         std::vector<Point> way;
         for (const Scan& scan : scans) {
             follower.add_scan(scan);
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        Result result{compare_with_batch(follower, way, follow.segment)};
+        Result result{compare_with_batch(follower, way, {}, run)};
         if (chosen.num_rooms <= kMaxShuffledRooms)
             result.shuffled_pq = pq_in_another_order(scans, i);
         return result;

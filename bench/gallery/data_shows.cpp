@@ -63,7 +63,7 @@ Section show_logs(const fs::path& data, const fs::path& output) {
         for (const Scan& scan : log.scans) {
             trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        const Segmentation rooms = segment(map, {}, trajectory);
+        const Segmentation rooms = segment(map, {}, {}, trajectory);
         const std::string note = std::to_string(log.scans.size()) + " scans";
         const std::string image = "logs/" + name + ".png";
         // intel_robotlaser is in another frame than the truth.

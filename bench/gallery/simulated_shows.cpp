@@ -67,7 +67,7 @@ Side explored(const sim::Building& building, std::uint64_t seed) {
     }
     Side side;
     side.map = map_from_scans(exploration.scans, kLogResolution).to_grid();
-    side.rooms = segment(side.map, {}, trajectory);
+    side.rooms = segment(side.map, {}, {}, trajectory);
     return side;
 }
 

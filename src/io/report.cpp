@@ -22,6 +22,8 @@ void write_options(JsonWriter& json, const std::vector<OptionField>& options) {
             json.exact_number(**real);
         } else if (std::size_t* const* count = std::get_if<std::size_t*>(&option.value)) {
             json.integer(**count);
+        } else if (int* const* whole = std::get_if<int*>(&option.value)) {
+            json.exact_number(**whole);
         } else {
             json.text(option_text(option));
         }

@@ -13,17 +13,12 @@ namespace quadcut::project {
 namespace {
 
 void require_same_options(const std::string& name, FollowOptions project, FollowOptions given) {
-    if (project.resolution_m != given.resolution_m) {
-        throw InputError(name + ": has a resolution of " + std::to_string(project.resolution_m) +
-                         " m: expected the same for this run, not " +
-                         std::to_string(given.resolution_m));
-    }
-    const std::vector<OptionField> had = option_fields(project.segment);
-    const std::vector<OptionField> has = option_fields(given.segment);
+    const std::vector<OptionField> had = option_fields(project);
+    const std::vector<OptionField> has = option_fields(given);
     for (std::size_t i = 0; i < had.size(); ++i) {
         const std::string before = io::option_text(had[i]);
         const std::string now = io::option_text(has[i]);
-        if (had[i].name == "threads" || before == now) continue;
+        if (had[i].decides != Decides::result || before == now) continue;
         std::string what = name;
         what.append(": was begun with ").append(had[i].name).append(" = ").append(before);
         throw InputError(what.append(": expected the same for this run, not ").append(now));

@@ -43,7 +43,7 @@ Point middle_of(Cell cell, double resolution_m) {
 struct Project::Impl {
     enum class Home : std::uint8_t { memory, file, file_to_read };
 
-    Impl(project::ProjectFile project_file, Home project_home, const SegmentOptions& run)
+    Impl(project::ProjectFile project_file, Home project_home, const RunOptions& run)
         : home(project_home),
           file(std::move(project_file)),
           follower(file.follower(run)),
@@ -180,33 +180,32 @@ Project::Project(Project&&) noexcept = default;
 Project::~Project() = default;
 
 Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
-                        const std::optional<ScanPosition>& position) {
+                        const std::optional<ScanPosition>& position, const RunOptions& run) {
     return Project(std::make_unique<Impl>(project::ProjectFile::create(path, options, position),
-                                          Impl::Home::file, options.segment));
+                                          Impl::Home::file, run));
 }
 
-Project Project::open(const std::filesystem::path& path, Access access, const SegmentOptions& run) {
-    return Project(std::make_unique<Impl>(
-        project::ProjectFile(path, access),
-        access == Access::read ? Impl::Home::file_to_read : Impl::Home::file, run));
+Project Project::open(const std::filesystem::path& path, Access access, const RunOptions& run) {
+    const Impl::Home home = access == Access::read ? Impl::Home::file_to_read : Impl::Home::file;
+    return Project(std::make_unique<Impl>(project::ProjectFile(path, access), home, run));
 }
 
 Project Project::open_or_create(const std::filesystem::path& path, const FollowOptions& options,
-                                const ScanPosition& source) {
+                                const ScanPosition& source, const RunOptions& run) {
     if (!std::filesystem::exists(path)) {
         make_folder_of(path);
-        return create(path, options, source);
+        return create(path, options, source, run);
     }
     project::ProjectFile file(path, Access::write);
     project::require_begun_with(file, options, source);
-    return Project(std::make_unique<Impl>(std::move(file), Impl::Home::file, options.segment));
+    return Project(std::make_unique<Impl>(std::move(file), Impl::Home::file, run));
 }
 
 Project Project::in_memory(const FollowOptions& options,
-                           const std::optional<ScanPosition>& position) {
+                           const std::optional<ScanPosition>& position, const RunOptions& run) {
     return Project(std::make_unique<Impl>(
         project::ProjectFile::in_memory("a project in memory", options, position),
-        Impl::Home::memory, options.segment));
+        Impl::Home::memory, run));
 }
 
 FollowUpdate Project::add(const Scan& scan) {

@@ -14,6 +14,7 @@
 #include "project/edit_record.hpp"
 #include "project/scan_position.hpp"
 #include "project/snapshot.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/follow/edit.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/map/grid_map.hpp"
@@ -42,21 +43,24 @@ public:
     /// A new one at a name that is free.
     [[nodiscard]] static Project create(const std::filesystem::path& path,
                                         const FollowOptions& options,
-                                        const std::optional<ScanPosition>& position = {});
-    /// Goes on where it was saved last. `run` tells how many threads there are, and the device.
-    /// Refused: no project file, one of a newer version, one that another program writes to. The
-    /// first save makes one of an older version one of this. O(project).
+                                        const std::optional<ScanPosition>& position = {},
+                                        const RunOptions& run = {});
+    /// Goes on where it was saved last. Refused: no project file, one of a newer version, one that
+    /// another program writes to. The first save makes one of an older version one of this.
+    /// O(project).
     [[nodiscard]] static Project open(const std::filesystem::path& path, Access access,
-                                      const SegmentOptions& run = {});
+                                      const RunOptions& run = {});
     /// The project of a source of scans, which is made, in a folder that is made, if it is not
     /// there. Refused as above, and when it was begun with another source or with options that give
     /// another result.
     [[nodiscard]] static Project open_or_create(const std::filesystem::path& path,
                                                 const FollowOptions& options,
-                                                const ScanPosition& source);
+                                                const ScanPosition& source,
+                                                const RunOptions& run = {});
     /// One without a file.
     [[nodiscard]] static Project in_memory(const FollowOptions& options,
-                                           const std::optional<ScanPosition>& position = {});
+                                           const std::optional<ScanPosition>& position = {},
+                                           const RunOptions& run = {});
     Project(Project&&) noexcept;
     Project& operator=(Project&&) = delete;
     Project(const Project&) = delete;

@@ -3,6 +3,7 @@
 #include "project/project_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -20,12 +21,19 @@ namespace quadcut::project {
 namespace {
 
 constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
+/// Before this version, these options were rows of `meta`.
+constexpr std::int64_t kAllOptionsInOneTable = 3;
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOptionsInMeta{
+    {{"resolution", "resolution_m"},
+     {"follow.min_change", "min_change_m2"},
+     {"follow.max_wait", "max_wait_m2_scans"},
+     {"follow.first_cut", "first_cut_m2"},
+     {"follow.min_patch", "min_patch_m2"}}};
 
 void write_options(const Database& database, FollowOptions options) {
     Statement insert(database, "INSERT INTO options VALUES(?, ?)");
-    for (const OptionField& field : option_fields(options.segment)) {
-        // The result is the same on any number of threads.
-        if (field.name == "threads") continue;
+    for (const OptionField& field : option_fields(options)) {
+        if (field.decides != Decides::result) continue;
         const std::string value = io::option_text(field);
         insert.bind(1, field.name).bind(2, std::string_view(value)).run();
     }
@@ -88,11 +96,6 @@ ProjectFile ProjectFile::in_memory(const std::filesystem::path& name, const Foll
     database.run("BEGIN");
     for (const Table& table : tables()) database.run(std::string(table.sql));
     write_options(database, options);
-    write_meta(database, "resolution_m", options.resolution_m);
-    write_meta(database, "min_change_m2", options.min_change_m2);
-    write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
-    write_meta(database, "first_cut_m2", options.first_cut_m2);
-    write_meta(database, "min_patch_m2", options.min_patch_m2);
     write_progress(database, {position});
     write_state(database, FollowerState{});
     database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
@@ -121,9 +124,9 @@ ProjectFile::ProjectFile(const std::filesystem::path& path, Access access)
         database_.run("PRAGMA synchronous=NORMAL");
         // Held until the project is closed, so that no other program writes.
         database_.run("BEGIN IMMEDIATE");
-        bring_up_to_date();
     }
     read_options();
+    if (access == Access::write) bring_up_to_date();
     read_progress();
 }
 
@@ -156,29 +159,29 @@ void ProjectFile::bring_up_to_date() {
     for (const Table& table : tables()) {
         if (table.since > version) database_.run(std::string(table.sql));
     }
+    database_.run("DELETE FROM options");
+    write_options(database_, options_);
+    for (const auto& [name, key] : kOptionsInMeta) {
+        Statement(database_, "DELETE FROM meta WHERE key = ?").bind(1, key).run();
+    }
     database_.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
 }
 
 void ProjectFile::read_options() {
-    const std::vector<OptionField> fields = option_fields(options_.segment);
-    Statement statement(database_, "SELECT name, value FROM options ORDER BY name");
-    try {
-        while (statement.step()) {
-            const std::string name = statement.text(0);
-            const std::string value = statement.text(1);
+    const std::vector<OptionField> fields = option_fields(options_);
+    const auto set = [&](const std::string& name, const std::string& value) {
+        try {
             if (!is_without_choice(name, value)) io::set_option(fields, name, value);
+        } catch (const InputError& error) {
+            throw InputError(io::display_name(database_.path()) + ": " + error.what());
         }
-    } catch (const InputError& error) {
-        throw InputError(io::display_name(database_.path()) + ": " + error.what());
-    }
-    options_.resolution_m = meta(database_, "resolution_m").number(0);
-    options_.min_change_m2 = meta(database_, "min_change_m2").number(0);
-    options_.max_wait_m2_scans = meta(database_, "max_wait_m2_scans").number(0);
-    options_.first_cut_m2 = meta(database_, "first_cut_m2").number(0);
-    options_.min_patch_m2 = meta(database_, "min_patch_m2").number(0);
-    if (!(options_.resolution_m >= 0.001 && options_.resolution_m <= 10.0)) {
-        throw InputError(io::display_name(database_.path()) + ": a resolution of " +
-                         std::to_string(options_.resolution_m) + " m: expected 0.001 to 10");
+    };
+    Statement statement(database_, "SELECT name, value FROM options ORDER BY name");
+    while (statement.step()) set(statement.text(0), statement.text(1));
+    if (database_.pragma("user_version") >= kAllOptionsInOneTable) return;
+    for (const auto& [name, key] : kOptionsInMeta) {
+        double value = meta(database_, key).number(0);
+        set(std::string(name), io::option_text({"", "", 0.0, 0.0, "", "", &value}));
     }
 }
 
@@ -196,12 +199,9 @@ void ProjectFile::read_progress() {
     progress_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
 }
 
-Follower ProjectFile::follower(const SegmentOptions& run) const {
+Follower ProjectFile::follower(const RunOptions& run) const {
     try {
-        FollowOptions options = options_;
-        options.segment.num_threads = run.num_threads;
-        options.segment.accelerator = run.accelerator;
-        return Follower(options, read_state(database_));
+        return Follower(options_, read_state(database_), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();

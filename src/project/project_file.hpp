@@ -14,6 +14,7 @@
 #include "project/database.hpp"
 #include "project/edit_history.hpp"
 #include "project/scan_position.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/follow/follower.hpp"
 
 namespace quadcut::project {
@@ -55,7 +56,7 @@ public:
     [[nodiscard]] const FollowOptions& options() const { return options_; }
     [[nodiscard]] const Progress& progress() const { return progress_; }
     /// The follower as it was when last saved; `run` says how it runs. O(project).
-    [[nodiscard]] Follower follower(const SegmentOptions& run) const;
+    [[nodiscard]] Follower follower(const RunOptions& run) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
     /// All edits of people, the first first.

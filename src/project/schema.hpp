@@ -10,7 +10,7 @@ namespace quadcut::project {
 
 /// "QCUT".
 inline constexpr std::int64_t kApplicationId = 0x51435554;
-inline constexpr std::int64_t kFormatVersion = 2;
+inline constexpr std::int64_t kFormatVersion = 3;
 
 struct Table {
     std::string_view name;

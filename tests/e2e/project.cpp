@@ -139,8 +139,17 @@ TEST(ProjectFile, BelongsToOneLogAndOneSetOfOptions) {
     EXPECT_THAT(run_quadcut(wider).err, HasSubstr("was begun with door_width = 4"));
     std::vector<std::string> finer = follow;
     finer.insert(finer.end(), {"--resolution", "0.1"});
-    EXPECT_EQ(run_quadcut(finer).exit_code, 2);
+    EXPECT_THAT(run_quadcut(finer).err, HasSubstr("was begun with resolution = 0.05"));
+    for (const std::string set : {"scan.max_range=10", "follow.min_change=3"}) {
+        std::vector<std::string> changed = follow;
+        changed.insert(changed.end(), {"--set", set});
+        EXPECT_THAT(run_quadcut(changed).err,
+                    HasSubstr("was begun with " + set.substr(0, set.find('=')) + " = "));
+    }
     EXPECT_EQ(read_bytes(project), before);
+    std::vector<std::string> faster = follow;
+    faster.insert(faster.end(), {"--threads", "1"});
+    EXPECT_EQ(run_quadcut(faster).exit_code, 0);
     follow[5] = folder.write("text", "no project");
     EXPECT_EQ(run_quadcut(follow).exit_code, 2);
     EXPECT_EQ(read_bytes(folder / "text"), "no project");

@@ -53,14 +53,13 @@ private:
 quadcut::FollowOptions options() {
     quadcut::FollowOptions options;
     options.resolution_m = kResolutionM;
-    options.segment.num_threads = 1;
     options.first_cut_m2 = 4.0;
     return options;
 }
 
 class Fuzz {
 public:
-    explicit Fuzz(Bytes bytes) : bytes_(bytes), follower_(options()) {}
+    explicit Fuzz(Bytes bytes) : bytes_(bytes), follower_(options(), quadcut::RunOptions{1}) {}
 
     void run() {
         for (int i = 0; i < 40 && !bytes_.is_empty(); ++i) {
@@ -194,7 +193,7 @@ private:
         quadcut::FollowerState state = changes;
         state.tiles.clear();
         for (const auto& [at, tile] : saved_) state.tiles.push_back(tile);
-        follower_ = quadcut::Follower(options(), state);
+        follower_ = quadcut::Follower(options(), state, quadcut::RunOptions{1});
         static_cast<void>(follower_.rooms());
     }
 

@@ -70,7 +70,8 @@ TEST(RoomKinds, SlowMostAreRightOnSimulatedBuildings) {
     std::size_t num_all = 0;
     for (std::size_t i = 0; i < kNumCombinations; ++i) {
         const MappedBuilding mapped = map_building(building_case(i));
-        const KindCounts counts = count_kinds(mapped, segment(mapped.map, {}, mapped.trajectory));
+        const KindCounts counts =
+            count_kinds(mapped, segment(mapped.map, {}, {}, mapped.trajectory));
         for (std::size_t truth = 0; truth < counts.size(); ++truth) {
             for (std::size_t found = 0; found < counts.size(); ++found) {
                 num_all += counts[truth][found];
@@ -105,7 +106,7 @@ void expect_words_for_all(const GridMap& map, const Segmentation& found) {
 TEST(RoomLabels, EachRoomHasItsNameOrItsNumber) {
     for (const std::size_t i : {1U, 3U}) {
         const MappedBuilding mapped = map_building(building_case(i));
-        expect_words_for_all(mapped.map, segment(mapped.map, {}, mapped.trajectory));
+        expect_words_for_all(mapped.map, segment(mapped.map, {}, {}, mapped.trajectory));
     }
 }
 

@@ -43,17 +43,16 @@ Segmentation Follower::rooms() const {
         kept.values[i] = states.values[i] == CellState::free ? 1 : 0;
     }
     const auto count = static_cast<std::uint32_t>(place_of_room.size());
-    const Executor executor{static_cast<int>(options_.segment.num_threads)};
     const RoomsOptions& rooms = options_.segment.rooms;
     Raster<float> clearance = clearance_m(
-        open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2, executor),
-        grid.resolution_m, executor);
+        open_space(std::move(kept), grid.resolution_m, rooms.max_furniture_m2, executor_),
+        grid.resolution_m, executor_);
     const Layout layout = as_it_lies(grid.states.box());
     result.doors =
         find_doors(labels, count, clearance, {layout, grid.resolution_m, grid.map_from_image},
-                   kMinDoorM, executor);
+                   kMinDoorM, executor_);
     result.rooms =
-        describe_rooms(labels, count, grid, layout, result.doors, executor, std::move(clearance));
+        describe_rooms(labels, count, grid, layout, result.doors, executor_, std::move(clearance));
     for (const auto& [id, place] : place_of_room) {
         Room& room = result.rooms[place - 1];
         room.id = RoomId{id};

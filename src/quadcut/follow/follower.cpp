@@ -65,13 +65,8 @@ std::vector<Box> patches(const std::map<std::pair<std::int32_t, std::int32_t>, s
 
 std::uint64_t free_rows(const Tile& tile) { return rows_below_zero(tile); }
 
-FollowOptions with_preset(FollowOptions options) {
-    if (options.segment.preset == Preset::paper) options.integrate = latest_scan_wins();
-    return options;
-}
-
-Follower::Follower(const FollowOptions& options)
-    : options_(with_preset(options)), map_(options.resolution_m) {}
+Follower::Follower(const FollowOptions& options, const RunOptions& run)
+    : options_(with_preset(options)), executor_(run.executor()), map_(options.resolution_m) {}
 
 FollowUpdate Follower::add_scan(const Scan& scan) {
     FollowUpdate update;

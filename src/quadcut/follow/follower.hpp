@@ -11,35 +11,16 @@
 #include <utility>
 #include <vector>
 
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/follow/edit.hpp"
 #include "quadcut/follow/follower_state.hpp"
 #include "quadcut/follow/local_cut.hpp"
-#include "quadcut/map/integrate.hpp"
+#include "quadcut/follow/options.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/tile_set.hpp"
-#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
-
-struct FollowOptions {
-    SegmentOptions segment;
-    /// Preset `paper` takes latest_scan_wins() instead.
-    IntegrateOptions integrate;
-    double resolution_m = 0.05;
-    /// Rooms are cut again when so much free space has changed.
-    double min_change_m2 = 2.0;
-    /// Less is cut when it has waited long: the product of what has changed and the scans since the
-    /// last cut.
-    double max_wait_m2_scans = 100.0;
-    /// The first cut waits for so much of it (the paper's Fig 9).
-    double first_cut_m2 = 10.0;
-    /// What has changed by less stays as it is, unless finish() is called.
-    double min_patch_m2 = 0.05;
-};
-
-/// The options as a Follower takes them.
-[[nodiscard]] FollowOptions with_preset(FollowOptions options);
 
 /// The free cells of a tile, bit 8 y + x.
 [[nodiscard]] std::uint64_t free_rows(const Tile& tile);
@@ -82,10 +63,10 @@ struct Edited {
 /// the map: the paper's incremental method. Not for use by two threads at once.
 class Follower {
 public:
-    explicit Follower(const FollowOptions& options = {});
+    explicit Follower(const FollowOptions& options = {}, const RunOptions& run = {});
     /// Goes on where state_since_save() of a follower with the same options was.
     /// Throws InputError when the state contradicts itself. O(state).
-    Follower(const FollowOptions& options, const FollowerState& state);
+    Follower(const FollowOptions& options, const FollowerState& state, const RunOptions& run = {});
 
     /// Adds a scan; cuts again around what has changed, when it is enough. Throws InputError for a
     /// scan that cannot be used, or so far away that the map would span more than 2^28 cells; the
@@ -208,6 +189,7 @@ private:
     void fill_split_lines(const LocalWindow& window, LocalCut& cut) const;
 
     FollowOptions options_;
+    Executor executor_;
     OccupancyMap map_;
     std::size_t num_scans_ = 0;
     RoomCells cells_;

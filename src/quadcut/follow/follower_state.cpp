@@ -18,8 +18,9 @@ bool holds(const Box& box, Cell cell) { return !box.is_empty() && box.contains(c
 
 }  // namespace
 
-Follower::Follower(const FollowOptions& options, const FollowerState& state)
+Follower::Follower(const FollowOptions& options, const FollowerState& state, const RunOptions& run)
     : options_(with_preset(options)),
+      executor_(run.executor()),
       map_(state.root ? OccupancyMap(options.resolution_m, {}, *state.root)
                       : OccupancyMap(options.resolution_m)),
       num_scans_(state.num_scans),

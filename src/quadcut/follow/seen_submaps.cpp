@@ -69,9 +69,7 @@ void Follower::cut_seen_submaps(FollowUpdate& update) {
         const Cell tile = tile_of(cell);
         window.updated.values[i] = changed_tiles_.count({tile.x, tile.y}) != 0 ? 1 : 0;
     }
-    const Executor executor{static_cast<int>(options_.segment.num_threads),
-                            options_.segment.accelerator};
-    LocalCut cut = cut_submaps(window, options_.segment, executor);
+    LocalCut cut = cut_submaps(window, options_.segment, executor_);
     const LocalWindow local{window.states, window.submaps, box, options_.resolution_m, {}, {}, {}};
     fill_split_lines(local, cut);
     outside_.clear();

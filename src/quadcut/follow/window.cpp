@@ -81,14 +81,12 @@ LocalWindow Follower::read_window(const Box& decided) const {
 
 void Follower::cut_window(const Box& decided, FollowUpdate& update) {
     const LocalWindow window = read_window(decided);
-    const Executor executor{static_cast<int>(options_.segment.num_threads),
-                            options_.segment.accelerator};
     outside_.clear();
     LocalCut cut = cut_locally(
         window, options_.segment,
         [&](std::uint32_t room, const std::vector<Cell>& cells,
             const Raster<std::uint32_t>& parts) { return look_beyond(window, room, cells, parts); },
-        executor);
+        executor_);
     fill_split_lines(window, cut);
     take_over(window, cut, update);
     note_decided(decided);

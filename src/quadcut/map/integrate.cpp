@@ -104,8 +104,33 @@ Box box_of(std::span<const TileEvidence> evidence) {
 
 }  // namespace
 
-IntegrateOptions latest_scan_wins() {
-    IntegrateOptions options;
+void add_fields(IntegrateOptions& options, std::vector<OptionField>& fields) {
+    constexpr double kWholeRange = kMaxLogOdds - kMinLogOdds;
+    fields.push_back({"scan.max_range", "m", 0.1, 1000.0,
+                      "longer readings clear that far and hit nothing", "",
+                      &options.usable_range_m});
+    fields.push_back({"scan.widest_gap", "m", 0.001, 100.0,
+                      "beams clear no further than where they are this far apart", "",
+                      &options.widest_gap_m});
+    fields.push_back({"scan.margin", "cells", 0.0, 100.0,
+                      "how far before its end point a beam stops to clear", "",
+                      &options.margin_cells});
+    fields.push_back({"scan.trusted_range", "m", 0.0, 1000.0,
+                      "up to here, a scan is believed against sure walls", "",
+                      &options.trusted_range_m});
+    fields.push_back({"scan.wall_tolerance", "m", 0.0, 100.0,
+                      "an end point so far behind a sure wall still is the wall", "",
+                      &options.wall_tolerance_m});
+    fields.push_back({"scan.sure", "", 1, kMaxLogOdds + 1,
+                      "log-odds from which on the map is sure of a wall", "", &options.sure});
+    fields.push_back({"scan.hit", "", 1, kWholeRange,
+                      "added to the log-odds of a cell with an end point", "", &options.hit});
+    fields.push_back({"scan.miss", "", -kWholeRange, -1,
+                      "added to the log-odds where a scan saw free space", "eq. (10)",
+                      &options.miss});
+}
+
+IntegrateOptions latest_scan_wins(IntegrateOptions options) {
     options.sure = kMaxLogOdds + 1;
     options.hit = kMaxLogOdds - kMinLogOdds;
     options.miss = kMinLogOdds - kMaxLogOdds;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/scan.hpp"
 
@@ -28,8 +29,11 @@ struct IntegrateOptions {
 /// The most cells that the box around all that scans see may have: 820 m x 820 m at 5 cm.
 inline constexpr std::int64_t kMaxCellsOfScans = std::int64_t{1} << 28;
 
-/// One hit marks and one miss clears, as in the paper (READING.md item 20).
-[[nodiscard]] IntegrateOptions latest_scan_wins();
+/// Adds the options of scans, bound to the members of `options`, which must outlive the list.
+void add_fields(IntegrateOptions& options, std::vector<OptionField>& fields);
+
+/// One hit marks and one miss clears, as in the paper (READING.md item 20); the rest as it was.
+[[nodiscard]] IntegrateOptions latest_scan_wins(IntegrateOptions options = {});
 
 /// The cells of one tile that a scan speaks of, bit 8 y + x for cell (x, y) of the tile.
 struct TileEvidence {

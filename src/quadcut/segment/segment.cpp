@@ -140,10 +140,10 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
 
 }  // namespace
 
-Segmentation segment(const GridMap& map, const SegmentOptions& options,
-                     std::span<const Point> trajectory, const StageCallback& on_stage) {
-    StageClock clock(on_stage);
-    const Executor executor{static_cast<int>(options.num_threads), options.accelerator};
+Segmentation segment(const GridMap& map, const SegmentOptions& options, const RunOptions& run,
+                     std::span<const Point> trajectory) {
+    StageClock clock(run.on_stage);
+    const Executor executor = run.executor();
     Segmentation result =
         options.preset == Preset::rooms
             ? segment_rooms(map, options, trajectory, clock, executor)

@@ -147,6 +147,12 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
         "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
         "VALUES(0, 'rename', 1, 0, 'Kitchen', 0, 0, 0, 0)");
     database.run("UPDATE rooms SET name = 'Kitchen' WHERE id = 1");
+    database.run(
+        "DELETE FROM options WHERE name LIKE 'follow.%' OR name LIKE 'scan.%' OR name = "
+        "'resolution'");
+    database.run(
+        "INSERT INTO meta VALUES('resolution_m', 0.05), ('min_change_m2', 2.5), "
+        "('max_wait_m2_scans', 100.0), ('first_cut_m2', 10.0), ('min_patch_m2', 0.05)");
     database.run("PRAGMA user_version=1");
     return path;
 }
@@ -157,10 +163,12 @@ TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed));
     EXPECT_EQ(name_of(path, 1), "Kitchen");
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1);
+    EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     static_cast<void>(Project::open(path, Access::write));
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1) << "not saved";
     rename(path, 2, "Store");
-    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 2);
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 3);
+    EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed, EditState::done));
     undo(path);
     EXPECT_THAT(error_of([&] { undo(path); }), HasSubstr("edit 1 was made by a version"));

@@ -12,8 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/option_text.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
+#include "tests/unit/spectral/fake_accelerator.hpp"
 
 namespace quadcut {
 namespace {
@@ -129,10 +131,8 @@ TEST(Project, BelongsToOneSourceAndItsOptions) {
     other.source_hash = 1;
     EXPECT_THAT(begin({}, other), HasSubstr("p.quadcut: follows another log, robot.log, or had"));
     FollowOptions options;
-    options.segment.num_threads = 7;
-    EXPECT_EQ(begin(options, some_log()), "no error") << "the result does not depend on it";
     options.resolution_m = 0.1;
-    EXPECT_THAT(begin(options, some_log()), HasSubstr("has a resolution of 0.05"));
+    EXPECT_THAT(begin(options, some_log()), HasSubstr("was begun with resolution = 0.05"));
     options = {};
     options.segment.seed = 2;
     EXPECT_THAT(begin(options, some_log()), HasSubstr("was begun with seed = 1"));
@@ -141,6 +141,36 @@ TEST(Project, BelongsToOneSourceAndItsOptions) {
     EXPECT_THAT(
         error_of([&] { static_cast<void>(Project::open_or_create(without, {}, some_log())); }),
         HasSubstr("without.quadcut: follows no log"));
+}
+
+TEST(Project, KeepsAllOptionsThatDecideTheResult) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "p.quadcut";
+    FollowOptions options;
+    options.resolution_m = 1.0 / 30.0;
+    options.integrate.miss = -2;
+    options.integrate.usable_range_m = 12.5;
+    options.min_change_m2 = 3.0;
+    options.segment.rooms.door_width_m = 2.0;
+    options.segment.seed = 7;
+    static_cast<void>(Project::create(path, options));
+    FollowOptions kept = Project::open(path, Access::read).options();
+    const std::vector<OptionField> had = option_fields(options);
+    const std::vector<OptionField> has = option_fields(kept);
+    for (std::size_t i = 0; i < had.size(); ++i) {
+        EXPECT_EQ(io::option_text(has[i]), io::option_text(had[i])) << had[i].name;
+    }
+}
+
+TEST(Project, UsesTheDeviceThatItIsGiven) {
+    const ScratchFolder folder;
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    const auto path = folder.path() / "p.quadcut";
+    static_cast<void>(Project::create(path, options));
+    test::FakeAccelerator device(true);
+    Project::open(path, Access::write, RunOptions{1, &device}).add(test::bare_hall());
+    EXPECT_GT(device.num_calls, 0);
 }
 
 TEST(Project, EditsAreRowsThatStay) {

@@ -54,8 +54,8 @@ TEST(ProjectFile, WhatIsNoProjectIsRefused) {
     EXPECT_EQ(open(path), "no error");
     Database(path, Access::write).run("CREATE TABLE extra(x)");
     EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=3");
-    EXPECT_THAT(open(path), HasSubstr("format version 3: expected 1 to 2; a newer quadcut"));
+    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=4");
+    EXPECT_THAT(open(path), HasSubstr("format version 4: expected 1 to 3; a newer quadcut"));
 }
 
 TEST(ProjectFile, RowsThatCannotBeAreRefused) {
@@ -80,7 +80,7 @@ TEST(ProjectFile, RowsThatCannotBeAreRefused) {
                                   "UPDATE meta SET value = 1 WHERE key = 'root_x'",
                                   "UPDATE meta SET value = 268435456 WHERE key = 'high_x'",
                                   "UPDATE meta SET value = -1 WHERE key = 'num_done'",
-                                  "UPDATE meta SET value = 1e300 WHERE key = 'resolution_m'",
+                                  "UPDATE options SET value = '1e300' WHERE name = 'resolution'",
                                   "UPDATE options SET value = 'nan' WHERE name = 'door_width'",
                                   "INSERT INTO changes VALUES(0, 0, 100)",
                                   "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {

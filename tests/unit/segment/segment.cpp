@@ -165,7 +165,7 @@ TEST(Segment, PaperDropsSubmapsThatTheTrajectoryDoesNotCross) {
     options.paper.num_submaps = 7;
     const std::vector<Point> trajectory{{3.0, 7.2}, {9.0, 7.2}, {9.0, 3.0}};
     const Segmentation all = segment(map, options);
-    const Segmentation crossed = segment(map, options, trajectory);
+    const Segmentation crossed = segment(map, options, {}, trajectory);
     EXPECT_LT(crossed.rooms.size(), all.rooms.size());
     for (const Cell cell : visited_cells(map, trajectory)) {
         if (all.labels.at(cell) != 0) {
@@ -191,11 +191,9 @@ TEST(Segment, ThreadsDoNotChangeManyRooms) {
     const GridMap map = many_offices();
     SegmentOptions options;
     options.with_hierarchy = true;
-    options.num_threads = 1;
-    const Segmentation one = segment(map, options);
+    const Segmentation one = segment(map, options, RunOptions{1});
     EXPECT_EQ(one.rooms.size(), 16U * 7U);
-    options.num_threads = 4;
-    const Segmentation many = segment(map, options);
+    const Segmentation many = segment(map, options, RunOptions{4});
     EXPECT_EQ(many.labels.values, one.labels.values);
     EXPECT_EQ(many.hierarchy.finest.values, one.hierarchy.finest.values);
     ASSERT_EQ(many.doors.size(), one.doors.size());
@@ -235,12 +233,10 @@ TEST(Segment, AnOutlinedTableInAHallIsNoRoomAtTheGranularityOfTheHall) {
 TEST(Segment, ThreadsDoNotChangeAnything) {
     const GridMap map = office();
     for (const Preset which : {Preset::rooms, Preset::paper}) {
-        SegmentOptions options = preset(which);
-        options.num_threads = 1;
-        const Segmentation one = segment(map, options);
+        const SegmentOptions options = preset(which);
+        const Segmentation one = segment(map, options, RunOptions{1});
         for (const std::size_t num_threads : {2U, 3U, 8U}) {
-            options.num_threads = num_threads;
-            const Segmentation many = segment(map, options);
+            const Segmentation many = segment(map, options, RunOptions{num_threads});
             EXPECT_EQ(many.labels.values, one.labels.values);
             ASSERT_EQ(many.doors.size(), one.doors.size());
             for (std::size_t i = 0; i < one.doors.size(); ++i) {
