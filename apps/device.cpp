@@ -46,7 +46,7 @@ void RunDevice::print_notes(const SegmentOptions& options) const {
     for (const std::string& note : *notes_) {
         print_error(start + note + "; the CPU does the work");
     }
-    if (options.preset == Preset::rooms && options.rooms.pieces == PieceSource::basins) {
+    if (options.preset == Preset::rooms) {
         print_error(start + "plays no part in the preset rooms; see --preset paper");
     }
 }

@@ -75,7 +75,7 @@ void run(const Arguments& arguments) {
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
     const PosedLog log =
-        parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
+        parse_posed_log(open_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
 
     clock.begin("follow");
     io::RunInfo info = run_info_of(options.segment, run_options);

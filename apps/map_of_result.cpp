@@ -9,6 +9,7 @@
 #include "io/authorship.hpp"
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
+#include "io/input.hpp"
 #include "io/report.hpp"
 #include "quadcut/base/error.hpp"
 

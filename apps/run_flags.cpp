@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/file.hpp"
+#include "io/input.hpp"
 #include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/option_field.hpp"

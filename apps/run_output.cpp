@@ -7,6 +7,7 @@
 #include "formats/results.hpp"
 #include "io/map_writer.hpp"
 #include "io/no_rooms_in_map.hpp"
+#include "quadcut/version.hpp"
 
 namespace quadcut {
 namespace {
@@ -17,7 +18,7 @@ constexpr const char* kUpdates = "updates.jsonl";
 
 io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run) {
     io::RunInfo info;
-    info.version = QUADCUT_VERSION;
+    info.version = kVersion;
     info.options = option_fields(options);
     info.num_threads = static_cast<int>(run.num_threads);
     return info;

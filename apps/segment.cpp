@@ -13,7 +13,6 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
@@ -29,6 +28,8 @@
 #include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
+#include "io/scan_source.hpp"
+#include "io/scanned_map.hpp"
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -51,16 +52,22 @@ struct Input {
     bool is_log = false;
 };
 
-Input input_of_log(const Arguments& arguments, io::InputFile file,
-                   const IntegrateOptions& integrate, StageClock& clock, Progress& progress) {
-    LogMap log =
-        map_log(std::move(file), poses_of(arguments),
-                resolution_of(arguments).value_or(kLogResolution), integrate, clock, progress);
+Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
+                   StageClock& clock, Progress& progress) {
+    const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    const auto source =
+        io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
+    const io::SourceFacts& facts = source->facts();
+    clock.begin("map");
+    io::ScannedMap scanned =
+        io::map_scans(*source, resolution_m, integrate, [&](std::size_t num_done) {
+            progress.update(num_done, facts.num_scans, {"scans", {}});
+        });
     Input input;
-    input.map = std::move(log.map);
-    input.trajectory = std::move(log.trajectory);
-    input.warnings = std::move(log.warnings);
-    input.content_hash = log.content_hash;
+    input.map = std::move(scanned.map);
+    input.trajectory = std::move(scanned.trajectory);
+    input.warnings = facts.warnings;
+    input.content_hash = facts.content_hash;
     input.is_log = true;
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(
@@ -69,8 +76,8 @@ Input input_of_log(const Arguments& arguments, io::InputFile file,
     return input;
 }
 
-Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
-    io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
+Input input_of_map(const Arguments& arguments, io::Input bytes, io::FileBatch& output) {
+    io::MapFile file = io::parse_map(std::move(bytes).read_all(), map_read_options_of(arguments));
     output.protect(file.image_path);
     output.require_free(formats::result_files());
     Input input;
@@ -168,14 +175,14 @@ void run(const Arguments& arguments) {
     run_options.on_stage = [&clock](std::string_view stage) { clock.begin(stage); };
 
     clock.begin("read");
-    KnownInput known = read_map_or_log(arguments.operands[0]);
+    KnownInput known = open_map_or_log(arguments.operands[0]);
     const std::vector<std::string> files = files_of(known.kind);
     io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.file), integrate, clock, progress)
-                      : input_of_map(arguments, std::move(known.file), output);
+                      ? input_of_log(arguments, std::move(known.input), integrate, clock, progress)
+                      : input_of_map(arguments, std::move(known.input), output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(options, run_options);

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "apps/command.hpp"
+#include "quadcut/version.hpp"
 
 namespace quadcut {
 
@@ -11,7 +12,7 @@ Command version_command() {
     form.name = "version";
     form.text = "Prints the version.";
     form.examples = {"quadcut version", "quadcut --version"};
-    return {form, [](const Arguments&) { std::cout << "quadcut " QUADCUT_VERSION "\n"; }};
+    return {form, [](const Arguments&) { std::cout << "quadcut " << kVersion << '\n'; }};
 }
 
 }  // namespace quadcut

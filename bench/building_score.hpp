@@ -11,9 +11,10 @@
 
 #include "bench/baseline.hpp"
 #include "bench/border_length.hpp"
+#include "bench/building_case.hpp"
+#include "bench/cases.hpp"
 #include "bench/door_score.hpp"
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/segment/segment.hpp"
 

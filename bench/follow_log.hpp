@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/id_switches.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/segment/segment.hpp"
@@ -100,10 +101,8 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
         result.ray_caster_ms.push_back(ms_since(cast));
         const auto at = static_cast<double>(i + 1);
         if ((i + 1) % sample == 0) {
-            std::vector<Cell> points = obstacles_of(follower.map());
-            const auto build = std::chrono::steady_clock::now();
-            const KdTree tree(std::move(points));
-            result.kd_tree_ms.points.push_back({at, ms_since(build)});
+            const std::vector<Cell> points = obstacles_of(follower.map());
+            result.kd_tree_ms.points.push_back({at, elapsed_ms([&] { build_kd_tree(points); })});
             if ((i + 1) % (10 * sample) == 0) {
                 result.bytes_per_m2.points.push_back(
                     {at, static_cast<double>(follower.bytes()) / known_m2(follower.map())});

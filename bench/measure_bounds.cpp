@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // What inputs cost that are no maps and logs as they should be: logs with poses far from the others
 // against the log without them, and images of one colour against an ordinary map of as many cells.
-//   micro_bounds [-o FILE.json]
+//   measure_bounds [-o FILE.json]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,9 +16,9 @@
 
 #include <zlib.h>
 
+#include "bench/cases.hpp"
 #include "bench/child_run.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/file.hpp"
 #include "io/image.hpp"
 #include "sim/building.hpp"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // Rooms, doors, borders and kinds on simulated buildings that the door model has not seen: empty,
 // half furnished and full; straight and turned; mapped perfectly and from the scans of a robot.
-//   micro_buildings [-o FILE.json] [--buildings N] [--case I] [--details]
+//   measure_buildings [-o FILE.json] [--buildings N] [--case I] [--details]
 // With --details the file also has each door that was matched, missed or invented.
 #include <algorithm>
 #include <array>
@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
+#include "bench/cases.hpp"
 #include "bench/door_score.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
 
 namespace quadcut {
 namespace {

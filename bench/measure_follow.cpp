@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // Follows logs and buildings: the same answer as the batch, bounded work, ids that survive.
-//   micro_follow logs [LOG ...]     dense logs, with plots in build/follow
-//   micro_follow buildings [N]      simulated buildings (50), some in another order of scans
-//   micro_follow order [LOG ...]    sparse logs in another order
-//   micro_follow kills [N]          a followed project, killed so often (100)
-//   micro_follow locate             look-ups
+//   measure_follow logs [LOG ...]     dense logs, with plots in build/follow
+//   measure_follow buildings [N]      simulated buildings (50), some in another order of scans
+//   measure_follow order [LOG ...]    sparse logs in another order
+//   measure_follow kills [N]          a followed project, killed so often (100)
+//   measure_follow locate             look-ups
 // Without a word: all of it. With -o FILE.json: a file of results, too.
 #include <algorithm>
 #include <chrono>
@@ -19,9 +19,10 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
 #include "bench/follow_log.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
+#include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
 #include "project/project_file.hpp"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // What a change of the map that changes no room does to the rooms: turned, mirrored, at another
 // resolution, with noise, padded, moved by a cell.
-//   micro_invariance [-o FILE.json]
+//   measure_invariance [-o FILE.json]
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -13,10 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/resampling.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/segment/segment.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // Scores of both presets on every map and log of the data; see docs/results.md.
-//   micro_quality [-o FILE.json]
+//   measure_quality [-o FILE.json]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "eval/score.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"

@@ -5,7 +5,7 @@
 // gigantic map; each in a process of its own, beside OpenCV's exact distance transform of the same
 // image. Fits time = factor * size ^ e, of wall time and of the CPU time of all threads, which
 // others on the machine disturb less.
-//   micro_scale [-o FILE.json] [TEXT]      only inputs whose name contains TEXT
+//   measure_scale [-o FILE.json] [TEXT]      only inputs whose name contains TEXT
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "bench/campus.hpp"
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/distance_transform.hpp"
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/segment/segment.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // The time of segment(), with defaults, on furnished maps, against the exact distance transform
 // that OpenCV makes of the same image: most segmenters of maps begin with one.
-//   micro_speed [-o FILE.json]
+//   measure_speed [-o FILE.json]
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/distance_transform.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/segment/segment.hpp"
 

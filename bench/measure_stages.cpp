@@ -3,7 +3,7 @@
 // The CPU time of each stage of segment(), for both presets, over simulated campuses of growing
 // size, and the exponent e of time = factor * size ^ e that fits it; peak memory beside it. One
 // thread, each size in a process of its own.
-//   micro_stages [-o FILE.json] [LARGEST]      rooms of the largest campus (640; paper: a
+//   measure_stages [-o FILE.json] [LARGEST]      rooms of the largest campus (640; paper: a
 // quarter, told the number of rooms: an eighth)
 #include <algorithm>
 #include <cstdio>
@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "bench/campus.hpp"
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

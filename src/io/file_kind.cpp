@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 
-#include "io/file.hpp"
 #include "io/image.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 
 namespace quadcut::io {
 namespace {

@@ -72,10 +72,15 @@ Statement meta(const Database& database, std::string_view key) {
 /// Whether an option of earlier projects, which is none any more, has the value that all have now.
 /// Throws InputError when it has another one.
 bool is_without_choice(std::string_view name, std::string_view value) {
-    // It meant something for rooms.fuse=ratio only.
-    if (name == "rooms.min_ratio") return true;
+    // Components are the same however they are found; the others meant something for
+    // rooms.fuse=ratio or rooms.pieces=spectral only.
+    if (name == "paper.components" || name == "rooms.min_ratio" || name == "rooms.max_eigenvalue" ||
+        name == "rooms.laplacian" || name == "rooms.full_clearance") {
+        return true;
+    }
     const std::string_view left = name == "rooms.fuse"        ? "model"
                                   : name == "rooms.furniture" ? "off_wall"
+                                  : name == "rooms.pieces"    ? "basins"
                                                               : "";
     if (left.empty()) return false;
     if (value == left) return true;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/building_case.hpp"
+#include "eval/labels.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/experiments.hpp"

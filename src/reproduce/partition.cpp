@@ -8,8 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/rooms/describe.hpp"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/file_batch.hpp"
+#include "quadcut/version.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/timing.hpp"
 
@@ -54,7 +55,7 @@ Report measure(const Options& options, const OnPart& on_part) {
     Parts parts(on_part);
     const Setup setup{{options.num_threads}, options.seed, options.size};
     Report report;
-    report.version = QUADCUT_VERSION;
+    report.version = kVersion;
     report.command = options.command;
     report.machine = this_machine();
     report.num_threads = options.num_threads;

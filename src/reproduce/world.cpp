@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
 #include "io/label_image.hpp"

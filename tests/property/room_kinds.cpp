@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
 #include "draw/floor_plan.hpp"
-#include "eval/building_case.hpp"
 #include "formats/results.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/segment/segment.hpp"

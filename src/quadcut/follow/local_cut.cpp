@@ -89,7 +89,7 @@ RoomsCut cut_window(const LocalWindow& window, const SegmentOptions& options,
         add_beyond(window, pieces, ask_beyond, regions);
     };
     const RoomsCut laid = cut_into_rooms({std::move(kept), free_laid, window.resolution_m, beyond},
-                                         options.rooms, options.seed, clock, executor);
+                                         options.rooms, clock, executor);
     RoomsCut cut{Raster<std::uint32_t>(layout.box),
                  Raster<std::uint32_t>(layout.box),
                  laid.num_pieces,

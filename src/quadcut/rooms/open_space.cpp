@@ -169,13 +169,7 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     const ConnectedParts parts = connected_parts(
         free, [&](std::size_t i) { return free.values[i] == 0 ? 1U : 0U; }, Connectivity::eight,
         executor);
-    std::vector<bool> is_small = parts.on_edge();
-    is_small.flip();
-    is_small.front() = false;
-    const std::vector<std::size_t> num_cells = parts.num_cells();
-    for (std::uint32_t part = 1; part <= parts.count; ++part) {
-        if (static_cast<double>(num_cells[part]) >= max_cells) is_small[part] = false;
-    }
+    std::vector<bool> is_small = parts.islands(max_cells);
     // Cells from the first one outward: of these some are tried as parts of a wall.
     Obstacles small;
     std::vector<bool> seen(free.values.size(), false);

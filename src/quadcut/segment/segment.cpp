@@ -9,13 +9,12 @@
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
-#include "quadcut/rooms/pieces.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/reading_order.hpp"
@@ -78,7 +77,7 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
-                                  options.rooms, options.seed, clock, executor, hierarchy);
+                                  options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {

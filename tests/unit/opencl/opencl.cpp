@@ -14,7 +14,7 @@
 #include "opencl/accelerator.hpp"
 #include "opencl/trial.hpp"
 #include "quadcut/base/random.hpp"
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "sim/building.hpp"
