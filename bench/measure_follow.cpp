@@ -25,7 +25,7 @@
 #include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
-#include "project/project.hpp"
+#include "project/project_file.hpp"
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
@@ -339,9 +339,9 @@ void kill_often(std::size_t count, Json& rows) {
             ++num_kills;
             if (!std::filesystem::exists(folder / "p")) continue;
             try {
-                const store::Project project(folder / "p", store::Access::read);
-                if (project.integrity() != "ok") ++num_damaged;
-                static_cast<void>(project.follower());
+                const project::ProjectFile file(folder / "p", Access::read);
+                if (file.integrity() != "ok") ++num_damaged;
+                static_cast<void>(file.follower({}));
             } catch (const std::exception& error) {
                 std::printf("  %s\n", error.what());
                 ++num_damaged;
