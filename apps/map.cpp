@@ -13,7 +13,7 @@
 #include "apps/run_flags.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
 #include "io/map_writer.hpp"

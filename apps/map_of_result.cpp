@@ -10,7 +10,7 @@
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
 #include "io/input.hpp"
-#include "io/report.hpp"
+#include "io/run_info.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut {

@@ -20,10 +20,9 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
-#include "io/map_writer.hpp"
 #include "io/no_rooms.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
@@ -77,10 +76,11 @@ Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOp
     return input;
 }
 
-Input input_of_map(const Arguments& arguments, io::Input bytes, io::FileBatch& output) {
+Input input_of_map(const Arguments& arguments, io::Input bytes,
+                   const std::vector<std::string>& files, io::FileBatch& output) {
     io::MapFile file = io::parse_map(std::move(bytes).read_all(), map_read_options_of(arguments));
     output.protect(file.image_path);
-    output.require_free(formats::result_files());
+    output.require_free(files);
     Input input;
     input.why_no_rooms = io::why_no_rooms(file.greys, file.keys);
     input.map = std::move(file.map);
@@ -122,20 +122,19 @@ void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
     }
 }
 
-void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
-           const io::RunInfo& info) {
+void write(io::FileBatch& output, const formats::Formats& formats, const Input& input,
+           const Segmentation& rooms, const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    if (input.is_log) io::add_map(output, input.map);
-    formats::add_results(output, input.map, rooms, info);
+    formats::add_files(output, formats, {input.map, rooms, info});
     output.commit();
 }
 
 /// What the run will write: the map, too, when it is made of a log.
-std::vector<std::string> files_of(io::FileKind kind) {
-    std::vector<std::string> files = formats::result_files();
-    if (kind != io::FileKind::laser_log) return files;
-    for (std::string& file : io::map_files()) files.push_back(std::move(file));
-    return files;
+formats::Formats formats_for(io::FileKind kind) {
+    using formats::Part;
+    return kind == io::FileKind::laser_log
+               ? formats::formats_of({Part::rooms, Part::report, Part::map})
+               : formats::formats_of({Part::rooms, Part::report});
 }
 
 /// The result whose ids and names are kept; read first, since the new one may take its place.
@@ -177,13 +176,14 @@ void run(const Arguments& arguments) {
 
     clock.begin("read");
     KnownInput known = open_map_or_log(arguments.operands[0]);
-    const std::vector<std::string> files = files_of(known.kind);
+    const formats::Formats formats = formats_for(known.kind);
+    const std::vector<std::string> files = formats::files_of(formats);
     io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
                       ? input_of_log(arguments, std::move(known.input), integrate, clock, progress)
-                      : input_of_map(arguments, std::move(known.input), output);
+                      : input_of_map(arguments, std::move(known.input), files, output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(options, run_options);
@@ -203,7 +203,7 @@ void run(const Arguments& arguments) {
     info.input = arguments.operands[0];
     info.input_hash = input.content_hash;
     info.map_keys = input.keys;
-    write(output, input, rooms, info);
+    write(output, formats, input, rooms, info);
 
     progress.wipe();
     print_warnings(rooms.report.warnings);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/version.hpp"
+
 #include <iostream>
 
 #include "apps/command.hpp"
-#include "quadcut/version.hpp"
 
 namespace quadcut {
 

@@ -35,8 +35,9 @@ struct Agreement {
 };
 
 inline Agreement compare_with_batch(const Follower& follower, std::span<const Point> way,
+                                    const SegmentOptions& options = {},
                                     const RunOptions& run = {}) {
-    const Segmentation batch = segment(follower.map().to_grid(), {}, run, way);
+    const Segmentation batch = segment(follower.map().to_grid(), options, run, way);
     const Segmentation followed = follower.rooms();
     const eval::RoomScore score =
         eval::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));

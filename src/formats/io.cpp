@@ -5,8 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "formats/results.hpp"
-#include "io/file.hpp"
+#include "formats/registry.hpp"
 #include "io/file_batch.hpp"
 #include "io/map_server.hpp"
 #include "io/map_writer.hpp"
@@ -22,7 +21,7 @@ MapInFile read_map(const std::filesystem::path& path) {
 
 std::vector<std::string> read_scans(const std::filesystem::path& path,
                                     const std::function<void(const Scan&)>& visit) {
-    const auto source = io::open_scan_source(io::read_input(path), {});
+    const auto source = io::open_scan_source(io::Input(path), {});
     while (const std::optional<Scan> scan = source->next()) visit(*scan);
     return source->facts().warnings;
 }

@@ -11,7 +11,7 @@
 #include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
 #include "draw/floor_plan.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 #include "tests/unit/io/floor_drawing.hpp"

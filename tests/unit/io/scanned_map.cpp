@@ -23,7 +23,8 @@ TEST(ScannedMap, IsTheMapOfAllScansAndTheWayOfTheLaser) {
     }
     const auto source = open_log(log);
     std::size_t num_done = 0;
-    const ScannedMap made = map_scans(*source, 0.05, [&](std::size_t count) { num_done = count; });
+    const ScannedMap made =
+        map_scans(*source, 0.05, {}, [&](std::size_t count) { num_done = count; });
     EXPECT_EQ(num_done, 40U);
     ASSERT_EQ(made.trajectory.size(), 40U);
     EXPECT_EQ(made.trajectory[39], (Point{39.0, 3.0}));
@@ -34,7 +35,7 @@ TEST(ScannedMap, IsTheMapOfAllScansAndTheWayOfTheLaser) {
 
 TEST(ScannedMap, SaysWhyThereIsNone) {
     const auto source = open_log("FLASER 2 0 0 1 2 0 0 0 0 1 host 1\n");
-    EXPECT_EQ(test::error_of([&] { (void)map_scans(*source, 0.05); }),
+    EXPECT_EQ(test::error_of([&] { (void)map_scans(*source, 0.05, {}); }),
               "x.log: no reading says anything: expected ranges above 0 that hit something");
 }
 

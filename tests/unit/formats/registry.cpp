@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include "io/map_server.hpp"
 #include "io/map_writer.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::formats {
@@ -53,6 +55,66 @@ std::optional<json> yaml_as_json(const ScratchFolder& scratch, const std::filesy
                                 " 2> /dev/null";
     if (std::system(command.c_str()) != 0) return std::nullopt;
     return json::parse(io::read_file(scratch.path() / "out.json"));
+}
+
+TEST(Formats, EachWritesTheFilesThatItNames) {
+    const io::test::DrawnFloor floor = two_rooms();
+    const io::RunInfo info;
+    const Result result(floor.map, floor.segmentation, info, "{\"integrate_ms\": 1}\n");
+    std::set<std::string> names;
+    std::set<std::string> files;
+    for (const Format& format : all_formats()) {
+        EXPECT_TRUE(names.insert(std::string(format.name)).second) << format.name;
+        EXPECT_FALSE(format.text.empty()) << format.name;
+        const ScratchFolder folder;
+        io::FileBatch batch(folder.path());
+        add_files(batch, {format}, result);
+        EXPECT_EQ(batch.names(), format.files) << format.name;
+        batch.commit();
+        for (const std::string& file : format.files) {
+            EXPECT_TRUE(files.insert(file).second) << file;
+            EXPECT_TRUE(io::is_own_file(folder.path() / file)) << file;
+        }
+    }
+}
+
+TEST(Formats, AreInTheDocumentation) {
+    const std::string page = io::read_file(QUADCUT_SOURCE_DIR "/docs/formats.md");
+    for (const Format& format : all_formats()) {
+        std::string row = "| `" + std::string(format.name) + "` | ";
+        for (const std::string& file : format.files) {
+            row += (&file == &format.files.front() ? "`" : ", `") + file + "`";
+        }
+        EXPECT_NE(page.find(row + " | "), std::string::npos) << row;
+    }
+}
+
+TEST(Formats, WriteTheSameAloneAndTogether) {
+    const io::test::DrawnFloor floor = two_rooms();
+    const io::RunInfo info;
+    const ScratchFolder folder;
+    write_results(folder.path(), floor.map, floor.segmentation, info);
+    for (const Format& format : formats_of({Part::rooms})) {
+        const Result result(floor.map, floor.segmentation, info);
+        const std::vector<std::string> contents = format.write(result);
+        ASSERT_EQ(contents.size(), format.files.size());
+        for (std::size_t i = 0; i < contents.size(); ++i) {
+            EXPECT_EQ(contents[i], io::read_file(folder.path() / format.files[i]));
+        }
+    }
+}
+
+TEST(Formats, AreFoundByTheirNames) {
+    EXPECT_EQ(files_of(find_formats("svg")), std::vector<std::string>{"rooms.svg"});
+    EXPECT_EQ(files_of(find_formats("labels,graph")),
+              (std::vector<std::string>{"rooms.png", "rooms.yaml", "graph.json"}));
+    EXPECT_EQ(files_of(find_formats("graph,graph")), std::vector<std::string>{"graph.json"});
+    EXPECT_EQ(
+        io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
+        "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map or "
+        "updates: did you mean 'geojson'?");
+    EXPECT_NE(io::test::error_of([] { (void)find_formats("svg,"); }).find("'' is no format"),
+              std::string::npos);
 }
 
 TEST(Results, AreAllThereAndNothingElse) {

@@ -42,10 +42,4 @@ struct RunInfo {
 /// A hash as report.json has it: JSON numbers are too coarse for 64 bits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);
 
-/// report.json: what was read, with which options, what came out, and how long each stage took
-/// (`stages_ms`; all else is the same for the same input).
-[[nodiscard]] std::string to_report_json(
-    const GridMap& map, const Segmentation& segmentation, const RunInfo& info,
-    const std::vector<std::pair<std::string, double>>& stages_ms);
-
 }  // namespace quadcut::io

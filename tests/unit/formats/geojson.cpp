@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "io/geojson.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/room_colors.hpp"
+#include "formats/registry.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 
-namespace quadcut::io {
+namespace quadcut::formats {
 namespace {
 
 using nlohmann::json;
 
-json geojson_of(const test::DrawnFloor& floor) {
-    const auto pairs = find_near_rooms(floor.map, floor.segmentation);
-    const auto colors = room_colors(floor.segmentation, pairs);
-    return json::parse(to_geojson(floor.map, floor.segmentation, pairs, colors));
+json geojson_of(const io::test::DrawnFloor& floor) {
+    const io::RunInfo info;
+    const Result result(floor.map, floor.segmentation, info);
+    return json::parse(find_formats("geojson").front().write(result).front());
 }
 
 double signed_area(const json& ring) {
@@ -32,7 +30,7 @@ double signed_area(const json& ring) {
 }
 
 TEST(GeoJson, SaysThatItIsInTheMapFrame) {
-    const json file = geojson_of(test::drawn_floor({"ab"}));
+    const json file = geojson_of(io::test::drawn_floor({"ab"}));
     EXPECT_EQ(file["type"], "FeatureCollection");
     EXPECT_EQ(file["frame"], "map");
     EXPECT_EQ(file["format_version"], 1);
@@ -40,7 +38,7 @@ TEST(GeoJson, SaysThatItIsInTheMapFrame) {
 }
 
 TEST(GeoJson, RoomsAreExactPolygons) {
-    test::DrawnFloor floor = test::drawn_floor({"aaa", "a#a", "aaa"}, 1, 0.5);
+    io::test::DrawnFloor floor = io::test::drawn_floor({"aaa", "a#a", "aaa"}, 1, 0.5);
     floor.map.map_from_image = {-10.0, 20.0, 0.0};
     floor.segmentation.rooms[0].name = "Caf\u00E9 \"1\"";
     const json room = geojson_of(floor)["features"][0];
@@ -58,8 +56,8 @@ TEST(GeoJson, RoomsAreExactPolygons) {
 }
 
 TEST(GeoJson, OuterRingsRunCounterClockwiseAndTheAreaIsThatOfTheCells) {
-    test::DrawnFloor floor =
-        test::drawn_floor({"aaaabbbb", "a#aabbbb", "aaa#bb#b", "cccc.bbb", "cc.c#bbb"}, 3, 0.05);
+    io::test::DrawnFloor floor = io::test::drawn_floor(
+        {"aaaabbbb", "a#aabbbb", "aaa#bb#b", "cccc.bbb", "cc.c#bbb"}, 3, 0.05);
     floor.map.map_from_image = {3.0, -4.0, 0.7};
     const json file = geojson_of(floor);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -75,21 +73,21 @@ TEST(GeoJson, OuterRingsRunCounterClockwiseAndTheAreaIsThatOfTheCells) {
 }
 
 TEST(GeoJson, AYawTurnsTheRoomsAboutTheOrigin) {
-    test::DrawnFloor floor = test::drawn_floor({"aa"}, 1, 1.0);
+    io::test::DrawnFloor floor = io::test::drawn_floor({"aa"}, 1, 1.0);
     floor.map.map_from_image = {5.0, 6.0, std::numbers::pi / 2.0};
     const json expected = {{{5.0, 8.0}, {4.0, 8.0}, {4.0, 6.0}, {5.0, 6.0}, {5.0, 8.0}}};
     EXPECT_EQ(geojson_of(floor)["features"][0]["geometry"]["coordinates"], expected);
 }
 
 TEST(GeoJson, ARoomInPartsIsAMultiPolygon) {
-    const json room = geojson_of(test::drawn_floor({"a#a"}))["features"][0];
+    const json room = geojson_of(io::test::drawn_floor({"a#a"}))["features"][0];
     EXPECT_EQ(room["geometry"]["type"], "MultiPolygon");
     EXPECT_EQ(room["geometry"]["coordinates"].size(), 2U);
     EXPECT_EQ(room["geometry"]["coordinates"][0][0].size(), 5U);
 }
 
 TEST(GeoJson, DoorsAreLinesAndMakeNeighbours) {
-    test::DrawnFloor floor = test::drawn_floor({"aa#cc", "aabbb"}, 1, 1.0);
+    io::test::DrawnFloor floor = io::test::drawn_floor({"aa#cc", "aabbb"}, 1, 1.0);
     floor.segmentation.doors.push_back(
         {RoomId{1}, RoomId{3}, {2.0, 1.0}, {3.0, 2.0}, std::sqrt(2.0), 3.5, 2.0, 0.75});
     const json file = geojson_of(floor);
@@ -107,18 +105,18 @@ TEST(GeoJson, DoorsAreLinesAndMakeNeighbours) {
 }
 
 TEST(GeoJson, FineMapsGetMoreDecimals) {
-    const json room = geojson_of(test::drawn_floor({"aaa"}, 1, 0.0015))["features"][0];
+    const json room = geojson_of(io::test::drawn_floor({"aaa"}, 1, 0.0015))["features"][0];
     EXPECT_EQ(room["geometry"]["coordinates"][0][0], (json{0.0045, 0.0}));
 }
 
 TEST(GeoJson, ARoomWithoutCellsHasNoGeometry) {
-    const json file = geojson_of(test::drawn_floor({"b"}));
+    const json file = geojson_of(io::test::drawn_floor({"b"}));
     EXPECT_TRUE(file["features"][0]["geometry"].is_null());
 }
 
 TEST(GeoJson, OfNoRoomsIsAnEmptyCollection) {
-    EXPECT_EQ(geojson_of(test::drawn_floor({"#."}))["features"], json::array());
+    EXPECT_EQ(geojson_of(io::test::drawn_floor({"#."}))["features"], json::array());
 }
 
 }  // namespace
-}  // namespace quadcut::io
+}  // namespace quadcut::formats

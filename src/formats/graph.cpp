@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "io/graph_json.hpp"
-
+#include "formats/format.hpp"
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "io/room_text.hpp"
 
-namespace quadcut::io {
+namespace quadcut::formats {
+namespace {
 
-std::string to_graph_json(const Segmentation& segmentation) {
-    JsonWriter json;
-    json.begin_object(JsonLayout::lines);
-    json.key("format_version").integer(kFormatVersion);
+/// The node-link form: nodes have an id and lie at their room's label point, edges have source and
+/// target, two rooms may have several. Metres, map frame.
+std::string to_json(const Segmentation& segmentation) {
+    io::JsonWriter json;
+    json.begin_object(io::JsonLayout::lines);
+    json.key("format_version").integer(io::kFormatVersion);
     json.key("frame").text("map");
     json.key("directed").boolean(false);
     json.key("multigraph").boolean(true);
-    json.key("nodes").begin_array(JsonLayout::lines);
+    json.key("nodes").begin_array(io::JsonLayout::lines);
     for (const Room& room : segmentation.rooms) {
         json.begin_object();
         json.key("id").integer(index(room.id));
-        json.key("name").text(name_of(room));
-        json.key("kind").text(to_text(room.kind));
+        json.key("name").text(io::name_of(room));
+        json.key("kind").text(io::to_text(room.kind));
         json.key("area_m2").number(room.area_m2);
         json.key("x").number(room.label_point.x);
         json.key("y").number(room.label_point.y);
         json.end_object();
     }
-    json.end_array().key("edges").begin_array(JsonLayout::lines);
+    json.end_array().key("edges").begin_array(io::JsonLayout::lines);
     for (std::size_t i = 0; i < segmentation.doors.size(); ++i) {
         const Door& door = segmentation.doors[i];
         json.begin_object();
@@ -37,10 +39,20 @@ std::string to_graph_json(const Segmentation& segmentation) {
         json.key("y").number((door.jamb_1.y + door.jamb_2.y) / 2.0);
         json.key("width_m").number(door.width_m);
         json.key("confidence").number(door.confidence);
-        json.key("reason").text(reason_of(door));
+        json.key("reason").text(io::reason_of(door));
         json.end_object();
     }
     return json.end_array().end_object().finish();
 }
 
-}  // namespace quadcut::io
+}  // namespace
+
+Format graph_format() {
+    return {"graph",
+            "rooms as nodes, doors as edges, as graph libraries read them",
+            Part::rooms,
+            {"graph.json"},
+            [](const Result& result) { return std::vector{to_json(result.rooms())}; }};
+}
+
+}  // namespace quadcut::formats
