@@ -107,8 +107,8 @@ def refusals() -> None:
     here = f"-DCMAKE_PREFIX_PATH={PREFIX}"
     require_refused("component", "COMPONENTS kitchen",
                     "no component 'kitchen' is installed; there are: core, io, project", here)
-    require_refused("newer", "0.3 COMPONENTS core", 'version: 0.2.0', here)
-    require_refused("older", "0.1 COMPONENTS core", 'version: 0.2.0', here)
+    require_refused("newer", "0.3 COMPONENTS core", "version: 0.", here)
+    require_refused("older", "0.1 COMPONENTS core", "version: 0.", here)
     require_refused("png", "0.2 COMPONENTS io", "PNG", here, "-DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON")
     said = refusal_of("core", "0.2 COMPONENTS core", here, *DISABLED)
     require(said == "", f"the core needs more than threads: {said}")
