@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,11 +12,9 @@
 #include <vector>
 
 #include "apps/command.hpp"
-#include "apps/follow_session.hpp"
 #include "apps/map_of_result.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
-#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
@@ -24,6 +23,7 @@
 #include "io/file.hpp"
 #include "io/map_server.hpp"
 #include "io/stored_result.hpp"
+#include "project/building_at.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -70,20 +70,20 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
         formats_for(arguments, {Part::rooms, Part::report, Part::map, Part::updates});
     const std::vector<std::string> files = formats::files_of(wanted);
     io::FileBatch output = begin_output(arguments, files);
-    const store::Project project(path, store::Access::read);
-    const Follower follower = project.follower();
-    if (!follower.map().is_placed()) {
+    const Project project = Project::open(path, Access::read);
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    if (building->map().states.values.empty()) {
         throw InputError(io::display_name(path) + ": has no map yet: no scan was followed");
     }
+    const ScanPosition position = project.position().value_or(ScanPosition{});
     SegmentOptions options = project.options().segment;
-    Segmentation rooms = followed_rooms(follower, options, warnings_of(project.position()));
+    Segmentation rooms = followed_rooms(*building, options, warnings_of(position));
     print_warnings(rooms.report.warnings);
     io::RunInfo info = run_info_of(options, {});
-    info.input = project.position().log;
-    info.input_hash = project.position().log_hash;
+    info.input = position.source;
+    info.input_hash = position.source_hash;
     const Uninterrupted uninterrupted;
-    const GridMap map = follower.map().to_grid();
-    formats::add_files(output, wanted, {map, rooms, info, project.update_lines()});
+    formats::add_files(output, wanted, {building->map(), rooms, info, building->updates()});
     output.commit();
     return {std::move(rooms), files};
 }

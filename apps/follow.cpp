@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,7 +12,6 @@
 
 #include "apps/command.hpp"
 #include "apps/device.hpp"
-#include "apps/follow_session.hpp"
 #include "apps/input_kind.hpp"
 #include "apps/log_map.hpp"
 #include "apps/message.hpp"
@@ -24,9 +24,9 @@
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
 #include "io/file.hpp"
-#include "io/map_server.hpp"
-#include "io/no_rooms_in_map.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -46,21 +46,21 @@ void add_fields(PlayChoice& choice, std::vector<OptionField>& fields) {
                       &choice.speed, Decides::run});
 }
 
-void write(io::FileBatch& output, const FollowSession& session, const Segmentation& rooms,
+void write(io::FileBatch& output, const Snapshot& building, const Segmentation& rooms,
            const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    add_followed(output, session.follower().map().to_grid(), rooms, session.updates(), info);
+    add_followed(output, building, rooms, info);
     output.commit();
 }
 
-FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
-                            const RunOptions& run, const PosedLog& log) {
-    const std::optional<std::string> project = arguments.value("--project");
-    if (!project) return {options, run, log.scans, log.lines};
-    store::LogPosition position;
-    position.log = io::display_name(arguments.operands[0]);
-    position.log_hash = hash_of(log.scans, log.content_hash);
-    return {run, log.scans, log.lines, open_project(*project, options, position, log.scans.size())};
+Project begin_project(const Arguments& arguments, const FollowOptions& options,
+                      const RunOptions& run, const PosedLog& log) {
+    ScanPosition source;
+    source.source = io::display_name(arguments.operands[0]);
+    source.source_hash = hash_of(log.scans, log.content_hash);
+    const std::optional<std::string> path = arguments.value("--project");
+    return path ? Project::open_or_create(*path, options, source, run)
+                : Project::in_memory(options, source, run);
 }
 
 void run(const Arguments& arguments) {
@@ -82,30 +82,33 @@ void run(const Arguments& arguments) {
     io::RunInfo info = run_info_of(options.segment, run_options);
     info.input = arguments.operands[0];
     info.input_hash = log.content_hash;
-    FollowSession session = begin_session(arguments, options, run_options, log);
-    const Follower& follower = session.follower();
+    Project project = begin_project(arguments, options, run_options, log);
     Pace pace(play.speed, machine_clock());
-    while (!session.is_done()) {
-        pace.wait_for(session.next().time_s, [&session] { return session.refine(); });
-        session.add_next();
-        progress.update(session.num_done(), log.scans.size(),
-                        {"scans", [&session] { return session.story(); }});
-        if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
-            write(output, session, follower.rooms(), info);
+    for (std::size_t i = project.position()->num_done; i < log.scans.size(); ++i) {
+        pace.wait_for(log.scans[i].time_s, [&project] { return project.refine(); });
+        project.add_next(log.scans[i], log.lines[i]);
+        progress.update(i + 1, log.scans.size(),
+                        {"scans", [&] { return num_rooms_text(project.state().num_rooms); }});
+        if (play.every != 0 && (i + 1) % play.every == 0 && project.state().num_rooms > 0) {
+            const std::shared_ptr<const Snapshot> building = project.snapshot();
+            write(output, *building, building->rooms(), info);
         }
     }
-    session.finish();
-    if (!follower.map().is_placed()) {
+    project.finish();
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    if (building->map().states.values.empty()) {
         throw InputError(log.name +
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
     std::vector<std::string> warnings = log.warnings;
-    for (std::string& warning : session.warnings()) warnings.push_back(std::move(warning));
-    Segmentation rooms = followed_rooms(follower, options.segment, std::move(warnings));
+    for (std::string& warning : warnings_of(*project.position())) {
+        warnings.push_back(std::move(warning));
+    }
+    Segmentation rooms = followed_rooms(*building, options.segment, std::move(warnings));
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
-    write(output, session, rooms, info);
+    write(output, *building, rooms, info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
     if (const auto warning = pace.warning()) print_warnings({*warning});

@@ -29,20 +29,25 @@ io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run) {
 
 std::vector<std::string> followed_files() { return formats::files_of(followed_formats()); }
 
-Segmentation followed_rooms(const Follower& follower, const SegmentOptions& options,
+Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
                             std::vector<std::string> warnings) {
-    Segmentation rooms = follower.rooms();
-    rooms.report.num_leaves = follower.map().num_leaves();
+    Segmentation rooms = building.rooms();
+    rooms.report.num_leaves = building.num_leaves();
     rooms.report.warnings = std::move(warnings);
     if (rooms.rooms.empty()) {
-        rooms.report.warnings.push_back(io::why_no_rooms(follower.map().to_grid(), options));
+        rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options));
     }
     return rooms;
 }
 
-void add_followed(io::FileBatch& output, const GridMap& map, const Segmentation& rooms,
-                  const std::string& updates, const io::RunInfo& info) {
-    formats::add_files(output, followed_formats(), {map, rooms, info, updates});
+std::string num_rooms_text(std::size_t num_rooms) {
+    return std::to_string(num_rooms) + (num_rooms == 1 ? " room" : " rooms");
+}
+
+void add_followed(io::FileBatch& output, const Snapshot& building, const Segmentation& rooms,
+                  const io::RunInfo& info) {
+    formats::add_files(output, followed_formats(),
+                       {building.map(), rooms, info, building.updates()});
 }
 
 }  // namespace quadcut

@@ -29,6 +29,7 @@
 #include "io/previous_result.hpp"
 #include "io/scan_source.hpp"
 #include "io/scanned_map.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"

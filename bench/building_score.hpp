@@ -16,6 +16,7 @@
 #include "bench/door_score.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // All that is measured on one simulated building.

@@ -17,6 +17,7 @@
 #include "bench/result_file.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

@@ -25,7 +25,7 @@
 #include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
-#include "project/project.hpp"
+#include "project/project_file.hpp"
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
@@ -246,7 +246,7 @@ void follow_buildings(std::size_t count, Json& rows) {
             follower.add_scan(scan);
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        Result result{compare_with_batch(follower, way, run)};
+        Result result{compare_with_batch(follower, way, {}, run)};
         if (chosen.num_rooms <= kMaxShuffledRooms)
             result.shuffled_pq = pq_in_another_order(scans, i);
         return result;
@@ -339,9 +339,9 @@ void kill_often(std::size_t count, Json& rows) {
             ++num_kills;
             if (!std::filesystem::exists(folder / "p")) continue;
             try {
-                const store::Project project(folder / "p", store::Access::read);
-                if (project.integrity() != "ok") ++num_damaged;
-                static_cast<void>(project.follower());
+                const project::ProjectFile file(folder / "p", Access::read);
+                if (file.integrity() != "ok") ++num_damaged;
+                static_cast<void>(file.follower({}));
             } catch (const std::exception& error) {
                 std::printf("  %s\n", error.what());
                 ++num_damaged;

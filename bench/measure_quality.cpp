@@ -18,6 +18,7 @@
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/map/integrate.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

@@ -25,6 +25,7 @@
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

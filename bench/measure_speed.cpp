@@ -17,6 +17,7 @@
 #include "bench/distance_transform.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

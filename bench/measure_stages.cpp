@@ -19,6 +19,7 @@
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {

@@ -13,6 +13,7 @@
 #include "io/map_server.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut::gallery {

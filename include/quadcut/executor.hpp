@@ -4,3 +4,4 @@
 
 // How many threads and which device do the work.
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/base/run_options.hpp"

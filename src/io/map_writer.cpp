@@ -19,7 +19,7 @@ std::string to_map_yaml(const GridMap& map, const MapKeys& keys) {
     const Pose origin = MapFrame(map).pose_of(map.states.origin);
     std::string yaml;
     yaml += "image: " + keys.image + "\n";
-    yaml += "mode: " + to_string(keys.mode) + "\n";
+    yaml.append("mode: ").append(to_text(keys.mode)).append("\n");
     yaml += "resolution: " + exact(map.resolution_m) + "\n";
     yaml += "origin: [" + exact(origin.x) + ", " + exact(origin.y) + ", " + exact(origin.yaw_rad) +
             "]\n";

@@ -10,7 +10,7 @@
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 /// As OccupancyMap's cells.
@@ -278,4 +278,4 @@ FollowerState read_state(const Database& database) {
     return state;
 }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -7,7 +7,7 @@
 #include "project/database.hpp"
 #include "quadcut/follow/follower_state.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 
 inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
 
@@ -23,4 +23,4 @@ void write_state(const Database& database, const FollowerState& state);
 /// Reads it again, with all tiles. Throws InputError for rows that cannot be.
 [[nodiscard]] FollowerState read_state(const Database& database);
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

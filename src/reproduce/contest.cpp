@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/map_picture.hpp"
 #include "reproduce/position_clusters.hpp"

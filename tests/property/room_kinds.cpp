@@ -13,6 +13,7 @@
 #include "draw/floor_plan.hpp"
 #include "formats/registry.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // What rooms are called, and whether a picture says it of each of them.

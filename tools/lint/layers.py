@@ -34,8 +34,8 @@ MAY_INCLUDE = {
 PUBLIC = {
     "version": "base", "error": "base", "executor": "base",
     "map": "map", "scan": "map",
-    "options": "segment", "result": "segment", "segment": "segment",
-    "follower": "follow",
+    "result": "segment", "segment": "segment",
+    "options": "follow", "follower": "follow",
     "io": "formats",
     "project": "project",
 }

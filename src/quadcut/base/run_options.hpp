@@ -3,13 +3,18 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string_view>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/base/parallel.hpp"
-#include "quadcut/base/stage_clock.hpp"
 
 namespace quadcut {
+
+struct OptionField;
+
+/// Told the name of each stage as it begins.
+using StageCallback = std::function<void(std::string_view stage)>;
 
 /// How a call runs; its result never depends on it.
 struct RunOptions {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/follow/options.hpp"
 
+#include "quadcut/base/option_field.hpp"
+
 namespace quadcut {
 
 void add_fields(FollowOptions& options, std::vector<OptionField>& fields) {

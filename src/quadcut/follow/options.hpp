@@ -4,11 +4,12 @@
 
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
+
+struct OptionField;
 
 struct FollowOptions {
     SegmentOptions segment;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/map/scan_cells.hpp"
 

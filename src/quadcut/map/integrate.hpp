@@ -9,11 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
+
+struct OptionField;
 
 /// What a scan does to the map.
 struct IntegrateOptions {

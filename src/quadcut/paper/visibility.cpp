@@ -52,18 +52,15 @@ bool is_within_threshold(const Leaf& i, const Leaf& j) {
 }
 
 /// The row of one node: its edges to finer leaves, and to equal ones that come later (rule 2).
-class SightRow {
-public:
-    SightRow(const LeafTable& table, std::span<const LeafId> nodes, const BlockedCells& blocked,
-             double resolution_m)
-        : table_(table),
-          node_of_(nodes_by_leaf(nodes)),
-          first_leaf_(index(nodes.front())),
-          blocked_(blocked),
-          resolution_m_(resolution_m) {}
+struct SightRow {
+    const LeafTable& table;
+    const BlockedCells& blocked;
+    double resolution_m;
+    std::size_t first_leaf;
+    std::vector<std::uint32_t> node_of;
 
     void append(std::uint32_t node, LeafId id, std::vector<WeightedEdge>& edges) const {
-        const Leaf& leaf = table_.leaf(id);
+        const Leaf& leaf = table.leaf(id);
         const std::int32_t side = leaf.side_cells();
         // Equal leaves lie on a grid of their size, where eq. (3) reaches those that are one side,
         // sqrt 2 and two sides away.
@@ -71,8 +68,8 @@ public:
             const std::int32_t most = 2 - std::abs(up);
             for (std::int32_t right = -most; right <= most; ++right) {
                 const std::optional<LeafId> other =
-                    table_.find({leaf.lower_left.x + right * side, leaf.lower_left.y + up * side});
-                if (other.has_value() && *other > id && table_.leaf(*other).level == leaf.level) {
+                    table.find({leaf.lower_left.x + right * side, leaf.lower_left.y + up * side});
+                if (other.has_value() && *other > id && table.leaf(*other).level == leaf.level) {
                     append_if_seen(node, leaf, *other, edges);
                 }
             }
@@ -86,33 +83,26 @@ public:
         const auto cell = [](std::int64_t x, std::int64_t y) {
             return Cell{static_cast<std::int32_t>(x >> 1), static_cast<std::int32_t>(y >> 1)};
         };
-        table_.for_each_leaf_in(cell(middle.x - reach - 1, middle.y - reach - 1),
-                                cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
-                                    if (table_.leaf(other).level < leaf.level) {
-                                        append_if_seen(node, leaf, other, edges);
-                                    }
-                                });
+        table.for_each_leaf_in(cell(middle.x - reach - 1, middle.y - reach - 1),
+                               cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
+                                   if (table.leaf(other).level < leaf.level) {
+                                       append_if_seen(node, leaf, other, edges);
+                                   }
+                               });
     }
 
-private:
     void append_if_seen(std::uint32_t node, const Leaf& leaf, LeafId other_id,
                         std::vector<WeightedEdge>& edges) const {
-        const Leaf& other = table_.leaf(other_id);
+        const Leaf& other = table.leaf(other_id);
         if (!is_within_threshold(leaf, other)) return;
-        const std::size_t place = index(other_id) - first_leaf_;
-        if (place >= node_of_.size() || node_of_[place] == kNoNode) return;
+        const std::size_t place = index(other_id) - first_leaf;
+        if (place >= node_of.size() || node_of[place] == kNoNode) return;
         const std::int32_t side = leaf.side_cells();
         const std::int32_t other_side = other.side_cells();
-        if (!blocked_.sees(centre(leaf), centre(other), side, other_side)) return;
-        edges.push_back({node, node_of_[place],
-                         sight_weight(side * resolution_m_, other_side * resolution_m_)});
+        if (!blocked.sees(centre(leaf), centre(other), side, other_side)) return;
+        edges.push_back(
+            {node, node_of[place], sight_weight(side * resolution_m, other_side * resolution_m)});
     }
-
-    const LeafTable& table_;
-    std::vector<std::uint32_t> node_of_;
-    std::size_t first_leaf_;
-    const BlockedCells& blocked_;
-    double resolution_m_;
 };
 
 /// One after the other; each is given back once it is copied.
@@ -148,7 +138,7 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
     }
     const Box box = bounding_box(table, nodes);
     const BlockedCells blocked(table, box.low, box.high);
-    const SightRow row(table, nodes, blocked, resolution_m);
+    const SightRow row{table, blocked, resolution_m, index(nodes.front()), nodes_by_leaf(nodes)};
 
     std::int32_t largest_side = 0;
     for (const LeafId id : nodes) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/segment/options.hpp"
 
+#include "quadcut/base/option_field.hpp"
+
 namespace quadcut {
 
 void add_fields(SegmentOptions& options, std::vector<OptionField>& fields) {

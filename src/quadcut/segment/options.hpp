@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
 #include "quadcut/paper/options.hpp"
 #include "quadcut/rooms/options.hpp"
 
 namespace quadcut {
+
+struct OptionField;
 
 /// `rooms`: rooms as people see them. `paper`: the method as published.
 enum class Preset : std::uint8_t { rooms, paper };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/layout.hpp"
 #include "quadcut/map/leaf_table.hpp"
@@ -17,6 +18,7 @@
 #include "quadcut/rooms/doors.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/reading_order.hpp"
 
 namespace quadcut {
@@ -150,5 +152,7 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options, const Ru
     result.report.stages_ms = clock.finish();
     return result;
 }
+
+Segmentation segment(const GridMap& map) { return segment(map, SegmentOptions{}); }
 
 }  // namespace quadcut

@@ -7,10 +7,11 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/run_options.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
+
+struct SegmentOptions;
 
 /// Cuts a finished map into rooms, by the preset in `options`.
 ///
@@ -18,8 +19,10 @@ namespace quadcut {
 /// from outside. A map without free space gives no rooms. Deterministic: the same rooms for the
 /// same input, however it runs. Throws NumericalError if an eigensolver fails its checks,
 /// InputError if there are more than 65,535 rooms.
-[[nodiscard]] Segmentation segment(const GridMap& map, const SegmentOptions& options = {},
+[[nodiscard]] Segmentation segment(const GridMap& map, const SegmentOptions& options,
                                    const RunOptions& run = {},
                                    std::span<const Point> trajectory = {});
+/// With the options as they are (quadcut/segment/options.hpp).
+[[nodiscard]] Segmentation segment(const GridMap& map);
 
 }  // namespace quadcut

@@ -15,6 +15,7 @@
 #include "io/map_server.hpp"
 #include "io/map_writer.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::formats {

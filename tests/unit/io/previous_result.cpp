@@ -15,6 +15,7 @@
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {

@@ -15,6 +15,7 @@
 #include "opencl/trial.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/leaf_table.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "sim/building.hpp"

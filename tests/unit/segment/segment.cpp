@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {

@@ -5,9 +5,10 @@
 #include <string>
 #include <string_view>
 
-namespace quadcut {
+namespace quadcut::io {
 
-/// Text as it stands in HTML and SVG, in attributes, too.
+/// Text that stands for itself in XML and HTML, also within quotes. Control characters, which XML
+/// has no way to write, go.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-}  // namespace quadcut
+}  // namespace quadcut::io
