@@ -23,6 +23,7 @@
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"
 #include "quadcut/base/stage_clock.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "sim/write.hpp"
 

@@ -25,6 +25,7 @@
 #include "io/stored_result.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {

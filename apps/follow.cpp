@@ -27,6 +27,7 @@
 #include "io/map_server.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {

@@ -22,6 +22,7 @@
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/segment/result.hpp"
@@ -89,7 +90,7 @@ Place locate_in_project(const std::filesystem::path& path, const Point& point) {
     const Follower follower = project.follower();
     const RoomId id = follower.room_at(point);
     if (id != RoomId{}) {
-        const std::string& name = follower.followed().at(static_cast<std::uint32_t>(id)).name;
+        const std::string& name = follower.state().rooms.at(static_cast<std::uint32_t>(id)).name;
         if (!name.empty()) return {id, name, true, 0.0};
     }
     if (follower.num_rooms() == 0) return {};

@@ -8,7 +8,9 @@
 
 #include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/rooms/describe.hpp"
+#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 namespace {
@@ -22,7 +24,7 @@ RoomId as_id(const std::string& word) {
 }
 
 RoomId with_given_name(const std::string& name, const Follower& follower) {
-    for (const auto& [number, room] : follower.followed()) {
+    for (const auto& [number, room] : follower.state().rooms) {
         if (room.name == name) return RoomId{number};
     }
     return RoomId{};
@@ -41,7 +43,7 @@ RoomId with_default_name(const std::string& name, const Follower& follower) {
 
 RoomId room_of(const std::string& word, const Follower& follower) {
     const RoomId id = as_id(word);
-    const bool is_there = follower.followed().count(static_cast<std::uint32_t>(id)) != 0;
+    const bool is_there = follower.state().rooms.count(static_cast<std::uint32_t>(id)) != 0;
     const std::string name = io::trimmed_room_name(word);
     const RoomId named = with_given_name(name, follower);
     if (is_there && named != RoomId{} && named != id) {

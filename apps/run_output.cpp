@@ -7,6 +7,7 @@
 #include "formats/results.hpp"
 #include "io/map_writer.hpp"
 #include "io/no_rooms_in_map.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {

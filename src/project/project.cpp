@@ -104,7 +104,7 @@ Project Project::in_memory(const std::filesystem::path& path, const FollowOption
     write_meta(database, "first_cut_m2", options.first_cut_m2);
     write_meta(database, "min_patch_m2", options.min_patch_m2);
     write_position(database, position);
-    write_state(database, FollowerState{});
+    write_state(database, FollowedMap(options.resolution_m), {});
     database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
     database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
     database.run("COMMIT");
@@ -207,7 +207,7 @@ Follower Project::follower(std::size_t num_threads) const {
     try {
         FollowOptions options = options_;
         options.segment.num_threads = num_threads;
-        return Follower(options, read_state(database_));
+        return Follower(options, read_state(database_, options.resolution_m));
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
@@ -275,10 +275,12 @@ void Project::save(Follower& follower, const LogPosition& position) {
     // Until all is written: what a save that fails has taken from the follower is not lost unseen.
     is_broken_ = true;
     write_waiting();
-    write_state(database_, follower.state_since_save());
+    const Changes changes = follower.changes_since(saved_revision_);
+    write_state(database_, follower.state(), changes.tiles);
     write_position(database_, position);
     database_.run("COMMIT");
     waiting_ = {};
+    saved_revision_ = changes.revision;
     position_ = position;
     database_.run("BEGIN IMMEDIATE");
     is_broken_ = false;

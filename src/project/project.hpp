@@ -90,6 +90,8 @@ private:
         std::vector<std::pair<std::size_t, LifeEvent>> events;
     };
     Waiting waiting_;
+    /// Of the follower.
+    std::uint64_t saved_revision_ = 0;
     bool is_broken_ = false;
 };
 

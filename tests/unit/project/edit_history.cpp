@@ -75,7 +75,7 @@ std::vector<EditState> states(const std::filesystem::path& path) {
 }
 
 std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
-    return Project(path, Access::read).follower().followed().at(room).name;
+    return Project(path, Access::read).follower().state().rooms.at(room).name;
 }
 
 TEST(EditHistory, UndoAndRedoSurviveARestart) {

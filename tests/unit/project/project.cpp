@@ -95,7 +95,7 @@ TEST(Project, EditsAreRowsThatStay) {
         const RoomId hall = follower.room_at({9.0, 3.0});
         project.add({"rename", hall, {}, "Hall", {}}, follower.edit(test::rename(hall, "Hall")));
         const Edited split = follower.edit(test::split({4.0, 1.0}, {4.0, 5.0}));
-        project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
+        project.add({"split", hall, split.inverse.other, "", follower.state().split_lines.back()}, split);
         project.save(follower, some_log());
     }
     const Project project(path, Access::read);
@@ -105,7 +105,7 @@ TEST(Project, EditsAreRowsThatStay) {
     Follower follower = project.follower();
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     EXPECT_EQ(follower.num_rooms(), 2U) << "the line is still a cut";
-    EXPECT_EQ(follower.followed().at(1).name, "Hall");
+    EXPECT_EQ(follower.state().rooms.at(1).name, "Hall");
 }
 
 TEST(Project, WhatIsNoProjectIsRefused) {
