@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "eval/building_case.hpp"
+#include "bench/building_case.hpp"
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "sim/building.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/shared_folder.hpp"
-#include "eval/cases.hpp"
 #include "io/label_image.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/map/grid_map.hpp"

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "eval/building_case.hpp"
+#include "bench/building_case.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/segment/result.hpp"

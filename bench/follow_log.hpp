@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/id_switches.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "quadcut/follow/followed_map.hpp"
 #include "quadcut/follow/follower.hpp"
@@ -35,8 +36,9 @@ struct Agreement {
 };
 
 inline Agreement compare_with_batch(const Follower& follower, std::span<const Point> way,
-                                    const SegmentOptions& options = {}) {
-    const Segmentation batch = segment(follower.map().to_grid(), options, way);
+                                    const SegmentOptions& options = {},
+                                    const RunOptions& run = {}) {
+    const Segmentation batch = segment(follower.map().to_grid(), options, run, way);
     const Segmentation followed = follower.rooms();
     const eval::RoomScore score =
         eval::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
@@ -100,10 +102,8 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
         result.ray_caster_ms.push_back(ms_since(cast));
         const auto at = static_cast<double>(i + 1);
         if ((i + 1) % sample == 0) {
-            std::vector<Cell> points = obstacles_of(follower.map());
-            const auto build = std::chrono::steady_clock::now();
-            const KdTree tree(std::move(points));
-            result.kd_tree_ms.points.push_back({at, ms_since(build)});
+            const std::vector<Cell> points = obstacles_of(follower.map());
+            result.kd_tree_ms.points.push_back({at, elapsed_ms([&] { build_kd_tree(points); })});
             if ((i + 1) % (10 * sample) == 0) {
                 result.bytes_per_m2.points.push_back(
                     {at, static_cast<double>(follower.bytes()) / known_m2(follower.map())});
@@ -117,18 +117,18 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
             then = follower.state().cells;
         }
         if ((i + 1) * 10 >= (result.tenths.size() + 1) * scans.size() && result.tenths.size() < 9) {
-            result.tenths.push_back(compare_with_batch(follower, way, options.segment));
+            result.tenths.push_back(compare_with_batch(follower, way));
             result.batch_nodes.points.push_back(
                 {at, static_cast<double>(result.tenths.back().batch_nodes)});
             std::fprintf(stderr, "  %zu/10: PQ %.1f\n", result.tenths.size(),
                          result.tenths.back().pq);
         }
     }
-    result.at_end = compare_with_batch(follower, way, options.segment);
+    result.at_end = compare_with_batch(follower, way);
     result.batch_nodes.points.push_back(
         {static_cast<double>(scans.size()), static_cast<double>(result.at_end.batch_nodes)});
     follower.finish();
-    result.finished = compare_with_batch(follower, way, options.segment);
+    result.finished = compare_with_batch(follower, way);
     result.mapped_m2 = known_m2(follower.map());
     if (!scans.empty()) result.log_s = scans.back().time_s - scans.front().time_s;
     return result;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // What inputs cost that are no maps and logs as they should be: logs with poses far from the others
 // against the log without them, and images of one colour against an ordinary map of as many cells.
-//   micro_bounds [-o FILE.json]
+//   measure_bounds [-o FILE.json]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,9 +16,9 @@
 
 #include <zlib.h>
 
+#include "bench/cases.hpp"
 #include "bench/child_run.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/file.hpp"
 #include "io/image.hpp"
 #include "sim/building.hpp"
@@ -65,6 +65,12 @@ std::string log_along(double x_m, double y_m) {
     return log;
 }
 
+std::string repeated(const std::string& log, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += log;
+    return all;
+}
+
 struct Cost {
     double cpu_ms = std::numeric_limits<double>::infinity();
     double peak_bytes = std::numeric_limits<double>::infinity();
@@ -96,6 +102,7 @@ Json measure_logs(const fs::path& folder) {
         {"one of 31 poses on a diagonal of 2 km", log_with(15, 1414.0, 1414.0), plain},
         {"30 scans along a diagonal of 2 km (along x)", log_along(1414.0, 1414.0),
          log_along(2000.0, 0.0)},
+        {"6000 scans of a room (1500)", repeated(plain, 200), repeated(plain, 50)},
     };
     Json rows = Json::array();
     for (const Case& one : cases) {

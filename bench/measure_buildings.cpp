@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // Rooms, doors, borders and kinds on simulated buildings that the door model has not seen: empty,
 // half furnished and full; straight and turned; mapped perfectly and from the scans of a robot.
-//   micro_buildings [-o FILE.json] [--buildings N] [--case I] [--details]
+//   measure_buildings [-o FILE.json] [--buildings N] [--case I] [--details]
 // With --details the file also has each door that was matched, missed or invented.
 #include <algorithm>
 #include <array>
@@ -13,11 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
+#include "bench/cases.hpp"
 #include "bench/door_score.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "io/room_text.hpp"
 
 namespace quadcut {
 namespace {
@@ -161,7 +162,6 @@ void print_geometry(const std::vector<CaseResult>& results) {
 }
 
 void print_kinds(const std::vector<CaseResult>& results) {
-    constexpr std::array<const char*, 4> kNames{"unknown", "room", "corridor", "hall"};
     KindCounts sum{};
     std::size_t num_right = 0;
     std::size_t num_all = 0;
@@ -178,8 +178,8 @@ void print_kinds(const std::vector<CaseResult>& results) {
                 num_all);
     std::printf("| truth | found: room | corridor | hall |\n|---|---|---|---|\n");
     for (std::size_t truth = 1; truth < 4; ++truth) {
-        std::printf("| %s | %zu | %zu | %zu |\n", kNames[truth], sum[truth][1], sum[truth][2],
-                    sum[truth][3]);
+        std::printf("| %s | %zu | %zu | %zu |\n", io::to_text(static_cast<RoomKind>(truth)).data(),
+                    sum[truth][1], sum[truth][2], sum[truth][3]);
     }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // Follows logs and buildings: the same answer as the batch, bounded work, ids that survive.
-//   micro_follow logs [LOG ...]     dense logs, with plots in build/follow
-//   micro_follow buildings [N]      simulated buildings (50), some in another order of scans
-//   micro_follow order [LOG ...]    sparse logs in another order
-//   micro_follow kills [N]          a followed project, killed so often (100)
-//   micro_follow locate             look-ups
+//   measure_follow logs [LOG ...]     dense logs, with plots in build/follow
+//   measure_follow buildings [N]      simulated buildings (50), some in another order of scans
+//   measure_follow order [LOG ...]    sparse logs in another order
+//   measure_follow kills [N]          a followed project, killed so often (100)
+//   measure_follow locate             look-ups
 // Without a word: all of it. With -o FILE.json: a file of results, too.
 #include <algorithm>
 #include <chrono>
@@ -19,12 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "bench/building_case.hpp"
 #include "bench/follow_log.hpp"
 #include "bench/result_file.hpp"
-#include "eval/building_case.hpp"
+#include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
-#include "project/project.hpp"
+#include "project/project_file.hpp"
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
@@ -238,15 +239,14 @@ void follow_buildings(std::size_t count, Json& rows) {
     const std::vector<Result> results = run_cases<Result>(count, [&](std::size_t i) {
         const BuildingCase chosen = building_case(i);
         const std::vector<Scan> scans = scans_of(chosen, building_of(chosen));
-        FollowOptions follow;
-        follow.segment.num_threads = 1;
-        Follower follower(follow);
+        const RunOptions run{1};
+        Follower follower({}, run);
         std::vector<Point> way;
         for (const Scan& scan : scans) {
             follower.add_scan(scan);
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        Result result{compare_with_batch(follower, way, follow.segment)};
+        Result result{compare_with_batch(follower, way, {}, run)};
         if (chosen.num_rooms <= kMaxShuffledRooms)
             result.shuffled_pq = pq_in_another_order(scans, i);
         return result;
@@ -339,9 +339,9 @@ void kill_often(std::size_t count, Json& rows) {
             ++num_kills;
             if (!std::filesystem::exists(folder / "p")) continue;
             try {
-                const store::Project project(folder / "p", store::Access::read);
-                if (project.integrity() != "ok") ++num_damaged;
-                static_cast<void>(project.follower());
+                const project::ProjectFile file(folder / "p", Access::read);
+                if (file.integrity() != "ok") ++num_damaged;
+                static_cast<void>(file.follower({}));
             } catch (const std::exception& error) {
                 std::printf("  %s\n", error.what());
                 ++num_damaged;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // What a change of the map that changes no room does to the rooms: turned, mirrored, at another
 // resolution, with noise, padded, moved by a cell.
-//   micro_invariance [-o FILE.json]
+//   measure_invariance [-o FILE.json]
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -13,11 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases.hpp"
 #include "bench/data_map.hpp"
 #include "bench/resampling.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -62,11 +64,7 @@ struct CaseResult {
     std::size_t num_rooms = 0;
 };
 
-Segmentation rooms_of(const GridMap& map) {
-    SegmentOptions options;
-    options.num_threads = 1;
-    return segment(map, options);
-}
+Segmentation rooms_of(const GridMap& map) { return segment(map, {}, RunOptions{1}); }
 
 CaseResult measure(const DataMap& input, const Change& change,
                    const Raster<std::uint16_t>& unchanged_rooms) {

@@ -5,16 +5,13 @@
 // eigensolver on the graphs of these; the least of rounds that take turns. And what the
 // roofline estimate says of the same maps on a GPU.
 //
-//   micro_opencl [-o FILE.json] [MAP ...]      maps as `quadcut segment` takes them
+//   measure_opencl [-o FILE.json] [MAP ...]      maps as `quadcut segment` takes them
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <ctime>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -25,13 +22,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/cases.hpp"
+#include "bench/cpu_time.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"
 #include "opencl/accelerator.hpp"
 #include "opencl/roofline.hpp"
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/spectral/laplacian.hpp"
+#include "reproduce/timing.hpp"
 #include "sim/building.hpp"
 
 namespace quadcut {
@@ -40,13 +40,6 @@ namespace {
 constexpr std::size_t kRounds = 25;
 constexpr std::size_t kVectors = 30;
 
-/// Milliseconds on a clock of the system.
-double read_ms(clockid_t clock) {
-    timespec time{};
-    clock_gettime(clock, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
 struct Times {
     double wall_ms = std::numeric_limits<double>::infinity();
     /// Of all threads together, PoCL's with them: does not grow when others use the machine.
@@ -54,10 +47,9 @@ struct Times {
 };
 
 Times times_of(const std::function<void()>& work) {
-    const double wall_ms = read_ms(CLOCK_MONOTONIC);
-    const double cpu_ms = read_ms(CLOCK_PROCESS_CPUTIME_ID);
-    work();
-    return {read_ms(CLOCK_MONOTONIC) - wall_ms, read_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms};
+    const double cpu_before_ms = cpu_ms();
+    const double wall_ms = elapsed_ms(work);
+    return {wall_ms, cpu_ms() - cpu_before_ms};
 }
 
 /// The shortest times of each of some works that take turns.
@@ -237,14 +229,13 @@ GridMap large_building() {
     return sim::generate_building(options).map;
 }
 
-int run(const std::vector<std::string>& arguments) {
-    std::string output;
+int run(int argc, char** argv) {
     std::vector<std::string> maps;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (arguments[i] == "-o" && i + 1 < arguments.size()) {
-            output = arguments[++i];
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view(argv[i]) == "-o") {
+            ++i;
         } else {
-            maps.push_back(arguments[i]);
+            maps.emplace_back(argv[i]);
         }
     }
     const bool is_standard = maps.empty();
@@ -274,18 +265,11 @@ int run(const std::vector<std::string>& arguments) {
     rows.push_back({{"map", "start"},
                     {"start_ms", all["start_ms"]},
                     {"pays_from_nodes", all["pays_from_nodes"]}});
-    write_results(output, "opencl", std::move(rows));
+    write_results(output_path(argc, argv), "opencl", std::move(rows));
     return 0;
 }
 
 }  // namespace
 }  // namespace quadcut
 
-int main(int argc, char** argv) {
-    try {
-        return quadcut::run(std::vector<std::string>(argv + 1, argv + argc));
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "micro_opencl: %s\n", error.what());
-        return 2;
-    }
-}
+int main(int argc, char** argv) { return quadcut::run(argc, argv); }

@@ -3,7 +3,7 @@
 // What the program costs beside its work: the time of `quadcut segment`, from its start to its end,
 // against the time that its report gives for the processing (all stages but `read` and `write`);
 // its peak memory; and the time of `quadcut version` against that of /bin/true.
-//   micro_overhead [-o FILE.json] [MAP ...]     (without maps: the furnished ones of a megapixel)
+//   measure_overhead [-o FILE.json] [MAP ...]     (without maps: the furnished ones of a megapixel)
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,9 +17,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/cases.hpp"
 #include "bench/child_run.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 
 namespace quadcut {
 namespace {

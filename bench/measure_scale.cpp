@@ -5,7 +5,7 @@
 // gigantic map; each in a process of its own, beside OpenCV's exact distance transform of the same
 // image. Fits time = factor * size ^ e, of wall time and of the CPU time of all threads, which
 // others on the machine disturb less.
-//   micro_scale [-o FILE.json] [TEXT]      only inputs whose name contains TEXT
+//   measure_scale [-o FILE.json] [TEXT]      only inputs whose name contains TEXT
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,13 +18,14 @@
 #include <vector>
 
 #include "bench/campus.hpp"
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/distance_transform.hpp"
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -108,8 +109,7 @@ Json measure(const Input& input, int draw) {
     row["free_cells"] =
         std::count(map.states.values.begin(), map.states.values.end(), CellState::free);
     row["read_peak_mib"] = own_mib("VmHWM");
-    SegmentOptions options;
-    options.num_threads = kNumThreads;
+    const RunOptions run_options{kNumThreads};
     double segment_ms = std::numeric_limits<double>::infinity();
     double segment_cpu_ms = segment_ms;
     Yardstick transform;
@@ -121,7 +121,7 @@ Json measure(const Input& input, int draw) {
         {
             Segmentation rooms;
             const double before_cpu_ms = cpu_ms();
-            const double elapsed_ms = timed_ms([&] { rooms = segment(map, options); });
+            const double elapsed_ms = timed_ms([&] { rooms = segment(map, {}, run_options); });
             segment_cpu_ms = std::min(segment_cpu_ms, cpu_ms() - before_cpu_ms);
             sum_ms += elapsed_ms;
             if (run == 0) {

@@ -3,7 +3,7 @@
 // The CPU time of each stage of segment(), for both presets, over simulated campuses of growing
 // size, and the exponent e of time = factor * size ^ e that fits it; peak memory beside it. One
 // thread, each size in a process of its own.
-//   micro_stages [-o FILE.json] [LARGEST]      rooms of the largest campus (640; paper: a
+//   measure_stages [-o FILE.json] [LARGEST]      rooms of the largest campus (640; paper: a
 // quarter, told the number of rooms: an eighth)
 #include <algorithm>
 #include <cstdio>
@@ -14,11 +14,12 @@
 #include <vector>
 
 #include "bench/campus.hpp"
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -56,7 +57,6 @@ Json measure(const Method& method, int num_rooms) {
         std::count(map.states.values.begin(), map.states.values.end(), CellState::free);
     SegmentOptions options;
     options.preset = method.preset;
-    options.num_threads = 1;
     if (method.is_told_the_number) {
         options.paper.num_submaps = static_cast<std::size_t>(num_rooms);
     }
@@ -70,10 +70,12 @@ Json measure(const Method& method, int num_rooms) {
             if (!stages_ms.empty()) stages_ms.back().second = now_ms - since_ms;
             since_ms = now_ms;
         };
-        const Segmentation result = segment(map, options, {}, [&](std::string_view stage) {
+        RunOptions run_options{1};
+        run_options.on_stage = [&](std::string_view stage) {
             note_end();
             stages_ms.emplace_back(stage, 0.0);
-        });
+        };
+        const Segmentation result = segment(map, options, run_options);
         note_end();
         if (run == 0) {
             row["rooms"] = result.rooms.size();

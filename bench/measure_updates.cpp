@@ -4,7 +4,7 @@
 // lines and one byte a cell, and OctoMap (insertPointCloud with lazy evaluation, as it is and with
 // the cloud discretized, updateInnerOccupancy() at the end; its clouds are made beforehand). All on
 // one thread, in turn; the least CPU time of five rounds.
-//   micro_updates [-o FILE.json] [LOG ...]      logs of the data, or files
+//   measure_updates [-o FILE.json] [LOG ...]      logs of the data, or files
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,10 +18,10 @@
 
 #include <octomap/octomap.h>
 
+#include "bench/cases.hpp"
 #include "bench/cpu_time.hpp"
 #include "bench/flat_ray_caster.hpp"
 #include "bench/result_file.hpp"
-#include "eval/cases.hpp"
 #include "io/carmen.hpp"
 #include "quadcut/map/integrate.hpp"
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/markup.hpp"
 #include "io/number_text.hpp"
 
 namespace quadcut::gallery {
@@ -47,22 +48,6 @@ over the result are the borders of the truth, orange ones are doors. A picture l
 size.</p>
 )";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') {
-            result += "&amp;";
-        } else if (c == '<') {
-            result += "&lt;";
-        } else if (c == '"') {
-            result += "&quot;";
-        } else {
-            result += c;
-        }
-    }
-    return result;
-}
-
 /// One decimal, always, so that columns line up.
 std::string percent(double share) {
     std::string text = io::rounded(100.0 * share, 1);
@@ -73,8 +58,8 @@ std::string percent(double share) {
 std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
 std::string name_cell(const Entry& entry, const std::string& id) {
-    std::string text = "<td><a href=\"#" + id + "\">" + escaped(entry.name) + "</a>";
-    if (!entry.note.empty()) text += " <span class=\"soft\">" + escaped(entry.note) + "</span>";
+    std::string text = "<td><a href=\"#" + id + "\">" + io::escaped(entry.name) + "</a>";
+    if (!entry.note.empty()) text += " <span class=\"soft\">" + io::escaped(entry.note) + "</span>";
     return text + "</td>";
 }
 
@@ -96,7 +81,8 @@ void append_table(std::string& page, const Section& section, const std::string& 
             page += cell("–") + cell("–") + cell("–");
         }
         page += cell(std::to_string(entry.num_rooms)) + cell(std::to_string(entry.num_doors)) +
-                cell(entry.comparison ? escaped(error_text(*entry.comparison)) : "") + "</tr>\n";
+                cell(entry.comparison ? io::escaped(error_text(*entry.comparison)) : "") +
+                "</tr>\n";
     }
     page += "</table></div>\n";
 }
@@ -105,14 +91,14 @@ void append_pictures(std::string& page, const Section& section, const std::strin
     for (std::size_t i = 0; i < section.entries.size(); ++i) {
         const Entry& entry = section.entries[i];
         page += "<figure id=\"" + id + std::to_string(i) + "\"><figcaption><strong>" +
-                escaped(entry.name) + "</strong> <span class=\"soft\">" + escaped(entry.note) +
-                (entry.note.empty() ? "" : ": ");
+                io::escaped(entry.name) + "</strong> <span class=\"soft\">" +
+                io::escaped(entry.note) + (entry.note.empty() ? "" : ": ");
         page += entry.comparison ? figures_text(*entry.comparison)
                                  : std::to_string(entry.num_rooms) + " rooms, " +
                                        std::to_string(entry.num_doors) + " doors";
-        page += "</span></figcaption>\n<a href=\"" + escaped(entry.image) +
-                "\"><img loading=\"lazy\" src=\"" + escaped(entry.image) + "\" alt=\"Rooms of " +
-                escaped(entry.name) + "\"></a></figure>\n";
+        page += "</span></figcaption>\n<a href=\"" + io::escaped(entry.image) +
+                "\"><img loading=\"lazy\" src=\"" + io::escaped(entry.image) +
+                "\" alt=\"Rooms of " + io::escaped(entry.name) + "\"></a></figure>\n";
     }
 }
 
@@ -136,7 +122,7 @@ std::string index_page(std::vector<Section> sections) {
         std::stable_sort(section.entries.begin(), section.entries.end(),
                          [&rank](const Entry& a, const Entry& b) { return rank(a) < rank(b); });
         const std::string id = "s" + std::to_string(i) + "-";
-        page += "<h2>" + escaped(section.title) + "</h2>\n";
+        page += "<h2>" + io::escaped(section.title) + "</h2>\n";
         append_table(page, section, id);
         append_pictures(page, section, id);
     }

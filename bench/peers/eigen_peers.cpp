@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/spectra_solver.hpp"
+#include "bench/peers/spectra_solver.hpp"
 #include "io/file.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "quadcut/spectral/embedding.hpp"

@@ -24,7 +24,7 @@ constexpr double kMaxFurnitureMetres = 4.0;
 constexpr double kMaxWallMetres = 0.5;
 /// How far labels may reach into a wall, or across its near face.
 constexpr double kRimMetres = 0.15;
-/// CellBounds memory, whatever the resolution says.
+/// Bounds memory, whatever the resolution says.
 constexpr std::int32_t kMaxWallCells = 256;
 
 /// How many cells fit into a length.
@@ -36,8 +36,8 @@ std::int32_t to_cells(double metres, double resolution_m) {
 
 /// The cells for which `wanted(offset)` holds.
 template <typename Wanted>
-CellBounds bounds_where(const Raster<CellState>& states, const Wanted& wanted) {
-    CellBounds bounds;
+Box bounds_where(const Raster<CellState>& states, const Wanted& wanted) {
+    Box bounds;
     for (std::int32_t y = 0; y < states.height; ++y) {
         const std::size_t row =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(states.width);
@@ -47,25 +47,22 @@ CellBounds bounds_where(const Raster<CellState>& states, const Wanted& wanted) {
         if (first == states.width) continue;
         std::int32_t last = states.width - 1;
         while (!at(last)) --last;
-        bounds.add(first, y);
-        bounds.add(last, y);
+        bounds.include({{first, y}, {last, y}});
     }
     return bounds;
 }
 
 /// The part of the map to draw, as places within its raster.
-CellBounds find_frame(const GridMap& map, const Raster<std::uint16_t>& labels) {
+Box find_frame(const GridMap& map, const Raster<std::uint16_t>& labels) {
     const Raster<CellState>& states = map.states;
-    CellBounds frame = bounds_where(states, [&](std::size_t i) { return labels.values[i] != 0; });
-    if (frame.empty()) {
+    Box frame = bounds_where(states, [&](std::size_t i) { return labels.values[i] != 0; });
+    if (frame.is_empty()) {
         frame = bounds_where(states,
                              [&](std::size_t i) { return states.values[i] != CellState::unknown; });
     }
-    if (frame.empty()) return {{0, 0}, {states.width - 1, states.height - 1}};
-    const std::int32_t margin = to_cells(kMarginMetres, map.resolution_m);
-    return {{std::max(0, frame.low.x - margin), std::max(0, frame.low.y - margin)},
-            {std::min(states.width - 1, frame.high.x + margin),
-             std::min(states.height - 1, frame.high.y + margin)}};
+    const Box all{{0, 0}, {states.width - 1, states.height - 1}};
+    if (frame.is_empty()) return all;
+    return frame.grown(to_cells(kMarginMetres, map.resolution_m)).intersected(all);
 }
 
 /// Calls `body(first, last)` for a few rows at a time.
@@ -84,9 +81,9 @@ void for_cells(const Executor& executor, std::size_t num_cells,
 
 FloorCells classify(const GridMap& map, const Raster<std::uint16_t>& labels,
                     const Executor& executor) {
-    const CellBounds frame = find_frame(map, labels);
-    const std::int32_t width = frame.high.x - frame.low.x + 1;
-    const std::int32_t height = frame.high.y - frame.low.y + 1;
+    const Box frame = find_frame(map, labels);
+    const std::int32_t width = frame.width();
+    const std::int32_t height = frame.height();
     const Cell origin{map.states.origin.x + frame.low.x, map.states.origin.y + frame.low.y};
     FloorCells cells{{origin, width, height}, {origin, width, height}};
     constexpr std::uint16_t kLastRoom = kFirstNonRoom - 1;
@@ -202,15 +199,10 @@ void return_rims_to_walls(FloorCells& cells, std::int32_t rim_cells, const Execu
     if (any) take_cut_off_parts(cells.ground, inner, executor);
 }
 
-bool is_shorter(const CellBounds& bounds, std::int32_t max_side_cells) {
-    return bounds.high.x - bounds.low.x < max_side_cells &&
-           bounds.high.y - bounds.low.y < max_side_cells;
-}
-
-std::vector<bool> are_shorter(const std::vector<CellBounds>& bounds, std::int32_t max_side_cells) {
+std::vector<bool> are_shorter(const std::vector<Box>& bounds, std::int32_t max_side_cells) {
     std::vector<bool> result(bounds.size());
     for (std::size_t i = 1; i < bounds.size(); ++i) {
-        result[i] = is_shorter(bounds[i], max_side_cells);
+        result[i] = std::max(bounds[i].width(), bounds[i].height()) <= max_side_cells;
     }
     return result;
 }

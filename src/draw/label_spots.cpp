@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "draw/part_tallies.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/rooms/label_tally.hpp"
 
@@ -26,9 +25,9 @@ struct Spot {
 
 /// 1 where the sample of the room's box is of the room.
 Raster<std::uint8_t> sample_room(const Raster<std::uint16_t>& ground, std::uint16_t room,
-                                 const CellBounds& box, std::int32_t stride) {
-    Raster<std::uint8_t> is_room({0, 0}, (box.high.x - box.low.x) / stride + 1,
-                                 (box.high.y - box.low.y) / stride + 1);
+                                 const Box& box, std::int32_t stride) {
+    Raster<std::uint8_t> is_room({0, 0}, (box.width() - 1) / stride + 1,
+                                 (box.height() - 1) / stride + 1);
     const auto width = static_cast<std::size_t>(ground.width);
     for (std::size_t i = 0; i < is_room.values.size(); ++i) {
         const Cell sample = is_room.cell(i);
@@ -57,9 +56,9 @@ std::vector<Spot> ridge_of(const Raster<float>& depth) {
 }
 
 std::vector<Point> spots_in(const Raster<std::uint16_t>& ground, std::uint16_t room,
-                            const CellBounds& box) {
-    if (box.empty()) return {};
-    const double num_cells = (box.high.x - box.low.x + 1.0) * (box.high.y - box.low.y + 1.0);
+                            const Box& box) {
+    if (box.is_empty()) return {};
+    const double num_cells = static_cast<double>(box.width()) * box.height();
     const auto stride =
         static_cast<std::int32_t>(std::max(std::ceil(std::sqrt(num_cells / kMostSamples)), 1.0));
     const Raster<float> depth = clearance_m(sample_room(ground, room, box, stride), 1.0);
@@ -87,17 +86,15 @@ std::vector<std::vector<Point>> find_label_spots(const Raster<std::uint16_t>& gr
                                                  const std::vector<std::uint16_t>& rooms,
                                                  const Executor& executor) {
     if (rooms.empty()) return {};
-    std::vector<CellBounds> boxes = tally_by_label<CellBounds>(
+    std::vector<Box> boxes = tally_by_label<Box>(
         ground, executor,
-        [](CellBounds& box, const LabelRun& run) {
+        [](Box& box, const LabelRun& run) {
             const auto y = static_cast<std::int32_t>(run.y);
-            box.add(static_cast<std::int32_t>(run.x), y);
-            box.add(static_cast<std::int32_t>(run.x + run.num_cells - 1), y);
+            box.include({{static_cast<std::int32_t>(run.x), y},
+                         {static_cast<std::int32_t>(run.x + run.num_cells - 1), y}});
         },
-        [](CellBounds& into, const CellBounds& other) {
-            if (other.empty()) return;
-            into.add(other.low.x, other.low.y);
-            into.add(other.high.x, other.high.y);
+        [](Box& into, const Box& other) {
+            if (!other.is_empty()) into.include(other);
         });
     std::vector<std::vector<Point>> spots(rooms.size());
     parallel_for(executor, rooms.size(), 1, [&](std::size_t first, std::size_t last) {

@@ -6,12 +6,12 @@
 
 namespace quadcut::draw {
 
-std::vector<CellBounds> bounds_of(const ConnectedParts& parts) {
-    std::vector<CellBounds> bounds(parts.count + std::size_t{1});
+std::vector<Box> bounds_of(const ConnectedParts& parts) {
+    std::vector<Box> bounds(parts.count + std::size_t{1});
     parts.for_each_run([&](const CellRun& run, std::size_t first) {
         const auto y = static_cast<std::int32_t>(first / static_cast<std::size_t>(parts.width));
-        bounds[run.part].add(static_cast<std::int32_t>(run.begin), y);
-        bounds[run.part].add(static_cast<std::int32_t>(run.end) - 1, y);
+        bounds[run.part].include({{static_cast<std::int32_t>(run.begin), y},
+                                  {static_cast<std::int32_t>(run.end) - 1, y}});
     });
     return bounds;
 }

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,20 +11,8 @@
 
 namespace quadcut::draw {
 
-/// A rectangle of cells as it grows; empty at first.
-struct CellBounds {
-    Cell low{INT32_MAX, INT32_MAX};
-    Cell high{INT32_MIN, INT32_MIN};
-
-    void add(std::int32_t x, std::int32_t y) {
-        low = {std::min(low.x, x), std::min(low.y, y)};
-        high = {std::max(high.x, x), std::max(high.y, y)};
-    }
-    [[nodiscard]] bool empty() const { return high.x < low.x; }
-};
-
 /// The bounds of each part, as columns and rows of the raster; nothing at 0. O(runs).
-[[nodiscard]] std::vector<CellBounds> bounds_of(const ConnectedParts& parts);
+[[nodiscard]] std::vector<Box> bounds_of(const ConnectedParts& parts);
 
 /// What lies along the border of a 4-connected region. There may be as many as half the cells.
 struct BorderTally {

@@ -10,32 +10,13 @@
 
 #include "io/authorship.hpp"
 #include "io/format_version.hpp"
+#include "io/markup.hpp"
 #include "io/number_text.hpp"
-#include "io/utf8.hpp"
 
 namespace quadcut::draw {
 namespace {
 
 constexpr int kPixelDecimals = 1;
-
-/// Text that stands for itself in XML. Control characters, which XML has no way to write, go.
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char32_t code_point : io::decode_utf8(text)) {
-        if (code_point == U'&') {
-            result += "&amp;";
-        } else if (code_point == U'<') {
-            result += "&lt;";
-        } else if (code_point == U'>') {
-            result += "&gt;";
-        } else if (code_point == U'"') {
-            result += "&quot;";
-        } else if (code_point >= 0x20 && code_point != 0xFFFE && code_point != 0xFFFF) {
-            io::append_utf8(result, code_point);
-        }
-    }
-    return result;
-}
 
 void append_integer(std::string& text, std::int32_t value) {
     std::array<char, 12> digits;
@@ -99,7 +80,7 @@ void append_rooms(std::string& svg, const FloorPlan& plan) {
         svg += "<path" + attribute("id", "room-" + std::to_string(index(room.id))) +
                attribute("fill", io::to_hex(room.color)) +
                attribute("stroke", io::to_hex(io::mixed(room.color, kWallInk, kBorderShare))) +
-               path_of(room.rings) + "><title>" + escaped(room.name) + "\n" + room.area + ", " +
+               path_of(room.rings) + "><title>" + io::escaped(room.name) + "\n" + room.area + ", " +
                room.kind + "</title></path>\n";
     }
     svg += "</g>\n";
@@ -120,7 +101,7 @@ void append_doors(std::string& svg, const FloorPlan& plan) {
            ">\n";
     for (std::size_t i = 0; i < plan.doors.size(); ++i) {
         svg += "<line" + attribute("id", "door-" + std::to_string(i + 1)) + line(plan.doors[i]) +
-               "><title>" + escaped(plan.doors[i].description) + "</title></line>\n";
+               "><title>" + io::escaped(plan.doors[i].description) + "</title></line>\n";
     }
     svg += "</g>\n";
 }
@@ -134,7 +115,7 @@ void append_text(std::string& svg, const TextLine& line, TextDirection direction
                                           " " + io::rounded(line.anchor.x, kPixelDecimals) + " " +
                                           io::rounded(line.anchor.y, kPixelDecimals) + ")");
     }
-    svg += ">" + escaped(line.text) + "</text>\n";
+    svg += ">" + io::escaped(line.text) + "</text>\n";
 }
 
 void append_leaders(std::string& svg, const FloorPlan& plan) {
@@ -191,7 +172,7 @@ void append_legend(std::string& svg, const std::vector<LegendLine>& legend) {
                attribute("stroke", io::to_hex(line.border_ink)) +
                attribute("stroke-width", kSwatchBorder * line.size) + "/><text" +
                attribute("x", line.text_left().x) + attribute("y", line.text_left().y) +
-               attribute("font-size", line.size) + ">" + escaped(line.text) + "</text>\n";
+               attribute("font-size", line.size) + ">" + io::escaped(line.text) + "</text>\n";
     }
     svg += "</g>\n";
 }

@@ -38,6 +38,14 @@ std::string_view Fields::next() {
     return field;
 }
 
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+    }
+    return lower;
+}
+
 std::string quote(std::string_view text) {
     constexpr std::size_t kMaxShown = 40;
     constexpr unsigned char kFirstPrintable = 0x20;

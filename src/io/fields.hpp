@@ -32,6 +32,9 @@ private:
     std::string_view rest_;
 };
 
+/// With the small letters of ASCII for its capitals.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// A piece of a file as it may stand in a message: in quotes, short, and printable.
 [[nodiscard]] std::string quote(std::string_view text);
 

@@ -6,9 +6,10 @@
 #include <array>
 #include <cstddef>
 
-#include "io/file.hpp"
+#include "io/fields.hpp"
 #include "io/image.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -162,13 +163,6 @@ constexpr std::array kSignsOfName{
     Sign{0, "", ".json", foreign("a JSON", kResult)},
     Sign{0, "", ".jsonl", foreign("a list of JSON", kResult)},
 };
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return lower;
-}
 
 template <std::size_t Count>
 const FileNature* find_sign(const std::array<Sign, Count>& signs, std::string_view bytes,

@@ -8,6 +8,7 @@
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 #include "io/jpeg.hpp"
 #include "io/picture.hpp"
 #include "io/tiff.hpp"
@@ -68,40 +69,6 @@ ParsedImage parse_image(std::string_view bytes, const std::string& name, const I
 InputFile read_image_input(const std::filesystem::path& path) {
     return read_input(
         path, [](const InputFile& beginning) { require_image(beginning.bytes, beginning.name); });
-}
-
-Image read_image(const std::filesystem::path& path) {
-    Image image;
-    const auto keep_row = [&image](const ImageHeader& header, std::int32_t y,
-                                   std::span<const std::uint16_t> samples) {
-        if (y == 0) {
-            image.samples.resize(header.row_samples() * static_cast<std::size_t>(header.height));
-        }
-        std::copy(samples.begin(), samples.end(),
-                  image.samples.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) *
-                                                                      header.row_samples()));
-    };
-    const InputFile file = read_image_input(path);
-    image.header = parse_image(file.bytes, file.name, keep_row).header;
-    return image;
-}
-
-void write_png(const std::filesystem::path& path, const ImageHeader& header,
-               const ImageRowSource& source) {
-    write_file_atomically(path, encode_png(header, source));
-}
-
-void write_png(const std::filesystem::path& path, const Image& image) {
-    const auto copy_row = [&image](std::int32_t y, std::span<std::uint16_t> samples) {
-        const std::span<const std::uint16_t> row = image.row(y);
-        std::copy(row.begin(), row.end(), samples.begin());
-    };
-    write_png(path, image.header, copy_row);
-}
-
-void write_pgm(const std::filesystem::path& path, const ImageHeader& header,
-               const ImageRowSource& source) {
-    write_file_atomically(path, encode_pgm(header, source));
 }
 
 }  // namespace quadcut::io

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/file.hpp"
+#include "io/input.hpp"
 #include "quadcut/base/parallel.hpp"
 
 namespace quadcut::io {
@@ -31,17 +32,6 @@ struct ImageHeader {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
     }
     friend bool operator==(const ImageHeader&, const ImageHeader&) = default;
-};
-
-/// A whole image in memory, two bytes a sample, row 0 at the top.
-struct Image {
-    ImageHeader header;
-    std::vector<std::uint16_t> samples;
-
-    [[nodiscard]] std::span<const std::uint16_t> row(std::int32_t y) const {
-        return {samples.data() + static_cast<std::size_t>(y) * header.row_samples(),
-                header.row_samples()};
-    }
 };
 
 /// Takes the rows of an image from the top down.
@@ -78,9 +68,6 @@ ParsedImage parse_pgm(std::string_view bytes, const std::string& name, const Ima
 /// InputError as read_input() does, and when its first bytes are of no image.
 [[nodiscard]] InputFile read_image_input(const std::filesystem::path& path);
 
-/// Reads a whole image. Errors as parse_image and read_file.
-[[nodiscard]] Image read_image(const std::filesystem::path& path);
-
 /// Rows first .. last - 1 of an image as a PNG has them: a byte a sample, or two, the high one
 /// first.
 struct ImageBand {
@@ -107,12 +94,5 @@ using ImageBandSource = std::function<void(const ImageBand& band)>;
                                            const Executor& executor = {});
 /// Encodes a binary PGM (P5) that says who wrote it, 8 or 16 bits by max_value. @pre one channel.
 [[nodiscard]] std::string encode_pgm(const ImageHeader& header, const ImageRowSource& source);
-
-/// Write atomically; errors as write_file_atomically.
-void write_png(const std::filesystem::path& path, const ImageHeader& header,
-               const ImageRowSource& source);
-void write_png(const std::filesystem::path& path, const Image& image);
-void write_pgm(const std::filesystem::path& path, const ImageHeader& header,
-               const ImageRowSource& source);
 
 }  // namespace quadcut::io

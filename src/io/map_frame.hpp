@@ -15,20 +15,15 @@ namespace quadcut::io {
 class MapFrame {
 public:
     explicit MapFrame(const GridMap& map)
-        : resolution_m_(map.resolution_m),
-          origin_(map.map_from_image),
-          cosine_(std::cos(map.map_from_image.yaw_rad)),
-          sine_(std::sin(map.map_from_image.yaw_rad)) {}
+        : resolution_m_(map.resolution_m), map_from_image_(map.map_from_image) {}
 
     [[nodiscard]] Point corner(Cell cell) const {
-        const double x = cell.x * resolution_m_;
-        const double y = cell.y * resolution_m_;
-        return {origin_.x + cosine_ * x - sine_ * y, origin_.y + sine_ * x + cosine_ * y};
+        return transform(map_from_image_, {cell.x * resolution_m_, cell.y * resolution_m_});
     }
     /// The pose of the lower left corner of a cell: of an image whose first cell it is.
     [[nodiscard]] Pose pose_of(Cell cell) const {
         const Point point = corner(cell);
-        return {point.x, point.y, origin_.yaw_rad};
+        return {point.x, point.y, map_from_image_.yaw_rad};
     }
     /// So many decimals that a metre's text is good to a tenth of a cell, and to a millimetre.
     [[nodiscard]] int decimals() const {
@@ -40,9 +35,7 @@ public:
 
 private:
     double resolution_m_;
-    Pose origin_;
-    double cosine_;
-    double sine_;
+    Pose map_from_image_;
 };
 
 }  // namespace quadcut::io

@@ -12,6 +12,7 @@
 #include <pwd.h>
 #include <unistd.h>
 
+#include "io/fields.hpp"
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -86,9 +87,7 @@ std::vector<std::filesystem::path> yamls_beside(const std::filesystem::path& ima
 }  // namespace
 
 bool has_yaml_name(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string suffix = lower_case(path.extension().string());
     return suffix == ".yaml" || suffix == ".yml";
 }
 

@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::string_view kWhere = "a map_server YAML";
 
+/// By MapMode.
+constexpr std::array<std::string_view, 3> kModes{"trinary", "scale", "raw"};
+
 double fraction(const YamlKeys& keys, std::string_view key) {
     const double value = keys.number(key);
     if (!(value >= 0.0 && value <= 1.0)) keys.fail(keys.require(key), key, "a number from 0 to 1");
@@ -49,10 +52,8 @@ Pose pose(const YamlKeys& keys, std::string_view key) {
 /// A whole number, 0 = no, or a word.
 bool flag(const YamlKeys& keys, std::string_view key) {
     const YamlNode& node = keys.require(key);
-    std::string text = node.text;
-    if (const std::optional<std::int64_t> number = parse_integer(text)) return *number != 0;
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (const std::optional<std::int64_t> number = parse_integer(node.text)) return *number != 0;
+    const std::string text = lower_case(node.text);
     if (text == "true" || text == "yes" || text == "on" || text == "y") return true;
     if (text == "false" || text == "no" || text == "off" || text == "n") return false;
     keys.fail(node, key, "0 or 1, true or false");
@@ -61,11 +62,9 @@ bool flag(const YamlKeys& keys, std::string_view key) {
 MapMode mode_of(const YamlKeys& keys, std::string_view key) {
     const YamlNode* node = keys.find(key);
     if (node == nullptr) return MapMode::trinary;
-    constexpr std::array kModes = {MapMode::trinary, MapMode::scale, MapMode::raw};
-    for (const MapMode mode : kModes) {
-        if (node->text == to_string(mode)) return mode;
-    }
-    keys.fail(*node, key, "trinary, scale or raw");
+    const auto found = std::find(kModes.begin(), kModes.end(), node->text);
+    if (found == kModes.end()) keys.fail(*node, key, "trinary, scale or raw");
+    return static_cast<MapMode>(found - kModes.begin());
 }
 
 std::string path(const YamlKeys& keys, std::string_view key) {
@@ -78,17 +77,7 @@ std::string path(const YamlKeys& keys, std::string_view key) {
 
 }  // namespace
 
-std::string to_string(MapMode mode) {
-    switch (mode) {
-        case MapMode::scale:
-            return "scale";
-        case MapMode::raw:
-            return "raw";
-        case MapMode::trinary:
-            break;
-    }
-    return "trinary";
-}
+std::string_view to_text(MapMode mode) { return kModes[static_cast<std::size_t>(mode)]; }
 
 void check_resolution(double resolution_m, const std::string& place) {
     constexpr double kMin = 0.001;

@@ -29,7 +29,7 @@ struct MapKeys {
 };
 
 /// The name of a mode as it stands in a YAML.
-[[nodiscard]] std::string to_string(MapMode mode);
+[[nodiscard]] std::string_view to_text(MapMode mode);
 
 /// Parses the first document of a map_server YAML. image, resolution, origin, negate,
 /// occupied_thresh and free_thresh must be there; mode may; other keys are ignored, all as

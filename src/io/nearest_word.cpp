@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "io/fields.hpp"
+
 namespace quadcut::io {
 namespace {
 
@@ -27,11 +29,8 @@ constexpr std::size_t kPart = 3;
 std::string key_of(std::string_view word) {
     if (has_long_dash(word)) word.remove_prefix(kLongDash.size());
     word.remove_prefix(std::min(word.find_first_not_of('-'), word.size()));
-    std::string key(word);
-    for (char& c : key) {
-        if (c == '_') c = '-';
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-    }
+    std::string key = lower_case(word);
+    std::replace(key.begin(), key.end(), '_', '-');
     return key;
 }
 

@@ -29,12 +29,7 @@ namespace {
 constexpr std::size_t kMaxLegendBytes = std::size_t{1} << 24U;
 
 RoomKind kind_of(const YamlKeys& keys) {
-    constexpr std::array kKinds = {RoomKind::room, RoomKind::corridor, RoomKind::hall,
-                                   RoomKind::unknown};
-    const std::string& text = keys.text("kind");
-    for (const RoomKind kind : kKinds) {
-        if (text == to_text(kind)) return kind;
-    }
+    if (const std::optional<RoomKind> kind = room_kind(keys.text("kind"))) return *kind;
     keys.fail(keys.require("kind"), "kind", "room, corridor, hall or unknown");
 }
 

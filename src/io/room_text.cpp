@@ -2,22 +2,27 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/room_text.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "io/number_text.hpp"
 
 namespace quadcut::io {
 
-std::string_view to_text(RoomKind kind) {
-    switch (kind) {
-        case RoomKind::room:
-            return "room";
-        case RoomKind::corridor:
-            return "corridor";
-        case RoomKind::hall:
-            return "hall";
-        case RoomKind::unknown:
-            break;
-    }
-    return "unknown";
+namespace {
+
+/// By RoomKind.
+constexpr std::array<std::string_view, 4> kKinds{"unknown", "room", "corridor", "hall"};
+
+}  // namespace
+
+std::string_view to_text(RoomKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+
+std::optional<RoomKind> room_kind(std::string_view text) {
+    const auto found = std::find(kKinds.begin(), kKinds.end(), text);
+    if (found == kKinds.end()) return std::nullopt;
+    return static_cast<RoomKind>(found - kKinds.begin());
 }
 
 std::string name_of(const Room& room) {

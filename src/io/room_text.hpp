@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,8 @@ namespace quadcut::io {
 
 /// "room", "corridor", "hall" or "unknown".
 [[nodiscard]] std::string_view to_text(RoomKind kind);
+/// The kind that has this text; nothing for any other.
+[[nodiscard]] std::optional<RoomKind> room_kind(std::string_view text);
 
 /// The room's name, or "Room 7" if it has none.
 [[nodiscard]] std::string name_of(const Room& room);

@@ -16,77 +16,61 @@ namespace quadcut::opencl {
 /// The functions of libOpenCL that are used, by name: linking would make every start of the program
 /// need and load it.
 struct Library {
-    explicit Library(const std::string& name);
+    explicit Library(const std::string& name) : handle(open(name)) {}
 
-    // Never unloaded: drivers leave threads and handlers of exit behind.
-    void* handle = nullptr;
-    decltype(&clGetPlatformIDs) get_platforms = nullptr;
-    decltype(&clGetDeviceIDs) get_devices = nullptr;
-    decltype(&clGetDeviceInfo) get_device_info = nullptr;
-    decltype(&clCreateContext) create_context = nullptr;
-    decltype(&clReleaseContext) release_context = nullptr;
-    decltype(&clCreateCommandQueue) create_queue = nullptr;
-    decltype(&clReleaseCommandQueue) release_queue = nullptr;
-    decltype(&clCreateProgramWithSource) create_program = nullptr;
-    decltype(&clBuildProgram) build_program = nullptr;
-    decltype(&clGetProgramBuildInfo) get_build_info = nullptr;
-    decltype(&clReleaseProgram) release_program = nullptr;
-    decltype(&clCreateKernel) create_kernel = nullptr;
-    decltype(&clSetKernelArg) set_argument = nullptr;
-    decltype(&clReleaseKernel) release_kernel = nullptr;
-    decltype(&clCreateBuffer) create_buffer = nullptr;
-    decltype(&clReleaseMemObject) release_memory = nullptr;
-    decltype(&clEnqueueWriteBuffer) write = nullptr;
-    decltype(&clEnqueueReadBuffer) read = nullptr;
-    decltype(&clEnqueueFillBuffer) fill = nullptr;
-    decltype(&clEnqueueNDRangeKernel) launch = nullptr;
-    decltype(&clEnqueueMapBuffer) map = nullptr;
-    decltype(&clEnqueueUnmapMemObject) unmap = nullptr;
-    decltype(&clFlush) flush = nullptr;
-    decltype(&clFinish) finish = nullptr;
-    decltype(&clWaitForEvents) wait = nullptr;
-    decltype(&clReleaseEvent) release_event = nullptr;
+    // Never unloaded: drivers leave threads and handlers of exit behind. First, since the functions
+    // are looked up in it.
+    void* handle;
+    decltype(&clGetPlatformIDs) get_platforms = find("clGetPlatformIDs");
+    decltype(&clGetDeviceIDs) get_devices = find("clGetDeviceIDs");
+    decltype(&clGetDeviceInfo) get_device_info = find("clGetDeviceInfo");
+    decltype(&clCreateContext) create_context = find("clCreateContext");
+    decltype(&clReleaseContext) release_context = find("clReleaseContext");
+    decltype(&clCreateCommandQueue) create_queue = find("clCreateCommandQueue");
+    decltype(&clReleaseCommandQueue) release_queue = find("clReleaseCommandQueue");
+    decltype(&clCreateProgramWithSource) create_program = find("clCreateProgramWithSource");
+    decltype(&clBuildProgram) build_program = find("clBuildProgram");
+    decltype(&clGetProgramBuildInfo) get_build_info = find("clGetProgramBuildInfo");
+    decltype(&clReleaseProgram) release_program = find("clReleaseProgram");
+    decltype(&clCreateKernel) create_kernel = find("clCreateKernel");
+    decltype(&clSetKernelArg) set_argument = find("clSetKernelArg");
+    decltype(&clReleaseKernel) release_kernel = find("clReleaseKernel");
+    decltype(&clCreateBuffer) create_buffer = find("clCreateBuffer");
+    decltype(&clReleaseMemObject) release_memory = find("clReleaseMemObject");
+    decltype(&clEnqueueWriteBuffer) write = find("clEnqueueWriteBuffer");
+    decltype(&clEnqueueReadBuffer) read = find("clEnqueueReadBuffer");
+    decltype(&clEnqueueFillBuffer) fill = find("clEnqueueFillBuffer");
+    decltype(&clEnqueueNDRangeKernel) launch = find("clEnqueueNDRangeKernel");
+    decltype(&clEnqueueMapBuffer) map = find("clEnqueueMapBuffer");
+    decltype(&clEnqueueUnmapMemObject) unmap = find("clEnqueueUnmapMemObject");
+    decltype(&clFlush) flush = find("clFlush");
+    decltype(&clFinish) finish = find("clFinish");
+    decltype(&clWaitForEvents) wait = find("clWaitForEvents");
+    decltype(&clReleaseEvent) release_event = find("clReleaseEvent");
 
 private:
-    template <typename Function>
-    void load(Function& function, const char* name) const {
-        function = reinterpret_cast<Function>(::dlsym(handle, name));
-        if (function == nullptr) {
+    /// The address of a function, of whatever type.
+    struct Symbol {
+        void* address;
+        template <typename Function>
+        operator Function*() const {  // NOLINT(google-explicit-constructor)
+            return reinterpret_cast<Function*>(address);
+        }
+    };
+    static void* open(const std::string& name) {
+        void* const opened = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (opened == nullptr) throw DeviceError("there is no OpenCL library (" + name + ")");
+        return opened;
+    }
+    [[nodiscard]] Symbol find(const char* name) const {
+        void* const address = ::dlsym(handle, name);
+        if (address == nullptr) {
             throw DeviceError(std::string("the OpenCL library has no ") + name +
                               " (OpenCL 1.2 is needed)");
         }
+        return {address};
     }
 };
-
-Library::Library(const std::string& name) : handle(::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-    if (handle == nullptr) throw DeviceError("there is no OpenCL library (" + name + ")");
-    load(get_platforms, "clGetPlatformIDs");
-    load(get_devices, "clGetDeviceIDs");
-    load(get_device_info, "clGetDeviceInfo");
-    load(create_context, "clCreateContext");
-    load(release_context, "clReleaseContext");
-    load(create_queue, "clCreateCommandQueue");
-    load(release_queue, "clReleaseCommandQueue");
-    load(create_program, "clCreateProgramWithSource");
-    load(build_program, "clBuildProgram");
-    load(get_build_info, "clGetProgramBuildInfo");
-    load(release_program, "clReleaseProgram");
-    load(create_kernel, "clCreateKernel");
-    load(set_argument, "clSetKernelArg");
-    load(release_kernel, "clReleaseKernel");
-    load(create_buffer, "clCreateBuffer");
-    load(release_memory, "clReleaseMemObject");
-    load(write, "clEnqueueWriteBuffer");
-    load(read, "clEnqueueReadBuffer");
-    load(fill, "clEnqueueFillBuffer");
-    load(launch, "clEnqueueNDRangeKernel");
-    load(map, "clEnqueueMapBuffer");
-    load(unmap, "clEnqueueUnmapMemObject");
-    load(flush, "clFlush");
-    load(finish, "clFinish");
-    load(wait, "clWaitForEvents");
-    load(release_event, "clReleaseEvent");
-}
 
 namespace {
 

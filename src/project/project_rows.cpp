@@ -13,7 +13,7 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/follow/check_followed.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 /// As OccupancyMap's cells.
@@ -295,4 +295,4 @@ FollowedMap read_state(const Database& database, double resolution_m) {
     return state;
 }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

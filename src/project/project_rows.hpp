@@ -8,7 +8,7 @@
 #include "project/database.hpp"
 #include "quadcut/follow/followed_map.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 
 inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
 
@@ -24,4 +24,4 @@ void write_state(const Database& database, const FollowedMap& state, std::span<c
 /// Reads it again. Throws InputError for rows that cannot be.
 [[nodiscard]] FollowedMap read_state(const Database& database, double resolution_m);
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -57,7 +57,7 @@ Updates lay_in(const World& world, const IntegrateOptions& options, bool with_tr
             const std::vector<Cell> points = obstacles_of(map);
             // A scan goes in once only; a tree can be built again, and the least time counts.
             result.kd_tree_ms.push_back(
-                {at, least_ms(3, {[&] { const KdTree tree(points); }}).front()});
+                {at, least_ms(3, {[&] { build_kd_tree(points); }}).front()});
         }
     }
     if (result.num_crossing > 0) {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "eval/dia.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/paper/line_of_sight.hpp"
 #include "reproduce/experiments.hpp"
+#include "reproduce/graph_storage.hpp"
 #include "reproduce/machine.hpp"
 #include "reproduce/map_graph.hpp"
 #include "reproduce/map_picture.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/building_case.hpp"
+#include "eval/labels.hpp"
 #include "reproduce/contest.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/map_picture.hpp"

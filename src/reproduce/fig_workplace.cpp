@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/building_case.hpp"
+#include "eval/labels.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/experiments.hpp"
@@ -69,10 +69,11 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
     const GridMap map = map_from_scans(world.scans, kWorkplaceResolutionM).to_grid();
     const MapGraph graph = graph_of(map, SelfLoops::none, setup.executor());
     const GridMap open_map = with_two_states(map);
-    const Segmentation chosen = as_submaps(segment(map, setup.paper(0), world.trajectory));
-    const Segmentation told = segment(map, setup.paper(kInnerSubmaps));
-    const Segmentation open = as_submaps(segment(open_map, setup.paper(0)));
-    const Segmentation rooms = segment(map, setup.rooms(), world.trajectory);
+    const Segmentation chosen =
+        as_submaps(segment(map, setup.paper(0), setup.run, world.trajectory));
+    const Segmentation told = segment(map, setup.paper(kInnerSubmaps), setup.run);
+    const Segmentation open = as_submaps(segment(open_map, setup.paper(0), setup.run));
+    const Segmentation rooms = segment(map, setup.rooms(), setup.run, world.trajectory);
     const std::size_t num_outside = count_outside(open, open_map, world);
     const std::size_t num_inside = open.rooms.size() - num_outside;
 
@@ -131,9 +132,9 @@ Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace, const Set
     const Followed& rooms = workplace.rooms;
     // What Fig 11 shows.
     const GridMap map = map_from_scans(world.scans, kWorkplaceResolutionM).to_grid();
-    const Segmentation batch_paper = segment(map, setup.paper(0), world.trajectory);
+    const Segmentation batch_paper = segment(map, setup.paper(0), setup.run, world.trajectory);
     const GridMap fine_map = map_from_scans(world.scans, kResolutionM).to_grid();
-    const Segmentation batch_rooms = segment(fine_map, setup.rooms(), world.trajectory);
+    const Segmentation batch_rooms = segment(fine_map, setup.rooms(), setup.run, world.trajectory);
     const double like_paper = agreement_percent(paper.map(), paper.rooms(), map, batch_paper);
     const double like_rooms = agreement_percent(rooms.map(), rooms.rooms(), fine_map, batch_rooms);
 

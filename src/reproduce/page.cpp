@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/markup.hpp"
 #include "io/number_text.hpp"
-#include "reproduce/markup.hpp"
 #include "reproduce/report.hpp"
 #include "reproduce/sentence.hpp"
 
@@ -65,15 +65,8 @@ code { overflow-wrap: anywhere; }
 )";
 
 std::string text_of(const Value& value) {
-    if (!value.number) return value.words.empty() ? "–" : escaped(value.words);
-    std::string text = io::with_decimals(*value.number, value.decimals);
-    const std::size_t end = std::min(text.find('.'), text.size());
-    const std::size_t first = text.front() == '-' ? 1 : 0;
-    for (std::size_t at = end; at > first + 3;) {
-        at -= 3;
-        text.insert(at, ",");
-    }
-    return text;
+    if (!value.number) return value.words.empty() ? "–" : io::escaped(value.words);
+    return with_commas(io::with_decimals(*value.number, value.decimals));
 }
 
 /// "15-17" as the end of an address.
@@ -87,13 +80,14 @@ std::string heading(const Figure& figure) {
 }
 
 void append_table(std::string& page, const Table& table) {
-    if (!table.title.empty()) page += "<h3>" + escaped(table.title) + "</h3>\n";
+    if (!table.title.empty()) page += "<h3>" + io::escaped(table.title) + "</h3>\n";
     page += "<div class=\"scroll\"><table>\n<tr><th></th>";
-    for (const std::string& column : table.columns) page += "<th>" + escaped(column) + "</th>";
+    for (const std::string& column : table.columns) page += "<th>" + io::escaped(column) + "</th>";
     page += "</tr>\n";
     for (const Row& row : table.rows) {
-        page += "<tr><td>" + escaped(row.quantity);
-        if (!row.unit.empty()) page += "<span class=\"unit\">, " + escaped(row.unit) + "</span>";
+        page += "<tr><td>" + io::escaped(row.quantity);
+        if (!row.unit.empty())
+            page += "<span class=\"unit\">, " + io::escaped(row.unit) + "</span>";
         page += "</td>";
         for (const Value& value : row.values) page += "<td>" + text_of(value) + "</td>";
         page += "</tr>\n";
@@ -105,8 +99,8 @@ void append_pictures(std::string& page, const Figure& figure) {
     if (figure.pictures.empty()) return;
     page += "<div class=\"pictures\">\n";
     for (const Picture& picture : figure.pictures) {
-        const std::string file = escaped(picture.file);
-        const std::string caption = escaped(picture.caption);
+        const std::string file = io::escaped(picture.file);
+        const std::string caption = io::escaped(picture.caption);
         page.append("<figure><a href=\"").append(file);
         page.append("\"><img loading=\"lazy\" src=\"").append(file);
         page.append("\" alt=\"").append(caption);
@@ -117,13 +111,13 @@ void append_pictures(std::string& page, const Figure& figure) {
 
 void append_figure(std::string& page, const Figure& figure) {
     page += "<section id=\"" + anchor(figure) + "\">\n<h2><span class=\"number\">" +
-            heading(figure) + "</span> " + escaped(figure.title) + "</h2>\n";
-    page += "<p><strong>The paper.</strong> " + escaped(figure.paper) + "</p>\n";
-    page += "<p class=\"soft\"><strong>Here.</strong> " + escaped(figure.setting) + "</p>\n";
+            heading(figure) + "</span> " + io::escaped(figure.title) + "</h2>\n";
+    page += "<p><strong>The paper.</strong> " + io::escaped(figure.paper) + "</p>\n";
+    page += "<p class=\"soft\"><strong>Here.</strong> " + io::escaped(figure.setting) + "</p>\n";
     append_pictures(page, figure);
     for (const Table& table : figure.tables) append_table(page, table);
     page += std::string("<p class=\"verdict ") + (agrees(figure.claims) ? "good" : "bad") + "\">" +
-            escaped(verdict(figure.claims)) + "</p>\n</section>\n";
+            io::escaped(verdict(figure.claims)) + "</p>\n</section>\n";
 }
 
 /// "284 times as fast".
@@ -137,9 +131,10 @@ void append_headlines(std::string& page, const Report& report) {
         "<div class=\"scroll\"><table>\n<tr><th></th><th>the paper, ms</th>"
         "<th>quadcut, ms</th><th>quadcut is</th></tr>\n";
     for (const Headline& line : report.headlines) {
-        page += "<tr><td>" + escaped(line.what) + "<br/><span class=\"soft\">" +
-                escaped(line.setting) + "</span></td><td>" + in_words(line.paper_ms) + "</td><td>" +
-                in_words(line.quadcut_ms) + "</td><td>" + in_column(line) + "</td></tr>\n";
+        page += "<tr><td>" + io::escaped(line.what) + "<br/><span class=\"soft\">" +
+                io::escaped(line.setting) + "</span></td><td>" + in_words(line.paper_ms) +
+                "</td><td>" + in_words(line.quadcut_ms) + "</td><td>" + in_column(line) +
+                "</td></tr>\n";
     }
     page += "</table></div>\n";
 }
@@ -150,9 +145,11 @@ void append_run(std::string& page, const Report& report) {
                 "</td></tr>\n";
     };
     page += "<h3>This run</h3>\n<div class=\"scroll\"><table>\n";
-    row("command", "<code>" + escaped(report.command) + "</code>");
-    row("version", "quadcut " + escaped(report.version) + ", " + escaped(report.machine.compiler));
-    row("machine", escaped(report.machine.cpu) + ", " + std::to_string(report.machine.num_cores) +
+    row("command", "<code>" + io::escaped(report.command) + "</code>");
+    row("version",
+        "quadcut " + io::escaped(report.version) + ", " + io::escaped(report.machine.compiler));
+    row("machine", io::escaped(report.machine.cpu) + ", " +
+                       std::to_string(report.machine.num_cores) +
                        (report.machine.num_cores == 1 ? " core" : " cores") + "; " +
                        std::to_string(report.num_threads) + " threads unless it says otherwise");
     row("load at its begin", io::rounded(report.machine.load, 1) +
@@ -160,7 +157,7 @@ void append_run(std::string& page, const Report& report) {
     row("the paper's machine", "i7-4700MQ, Windows 7, Python 2.7 with SciPy and NetworkX");
     std::string worlds;
     for (const std::string& world : report.worlds) {
-        worlds += (worlds.empty() ? "" : "<br/>") + escaped(world);
+        worlds += (worlds.empty() ? "" : "<br/>") + io::escaped(world);
     }
     row("data", worlds);
     row("took", io::rounded(report.elapsed_s, 0) + " s");
@@ -175,7 +172,7 @@ void append_overview(std::string& page, const Report& report) {
         std::size_t num_held = 0;
         for (const Claim& claim : figure.claims) num_held += claim.holds ? 1 : 0;
         page += "<tr><td><a href=\"#" + anchor(figure) + "\">" + heading(figure) + ": " +
-                escaped(figure.title) + "</a></td><td>in " + std::to_string(num_held) + " of " +
+                io::escaped(figure.title) + "</a></td><td>in " + std::to_string(num_held) + " of " +
                 std::to_string(figure.claims.size()) + "</td></tr>\n";
     }
     page += "</table></div>\n";

@@ -3,14 +3,13 @@
 #include "reproduce/partition.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/rooms/describe.hpp"
 
 namespace quadcut::reproduce {
@@ -25,25 +24,15 @@ struct Sums {
 
 /// How many regions have several parts (4 neighbours) of so many cells.
 std::size_t count_broken(const Raster<std::uint32_t>& labels, std::size_t min_cells) {
-    constexpr std::array<Cell, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    std::vector<bool> is_met(labels.values.size(), false);
+    const ConnectedParts parts = connected_parts(
+        labels, [&](std::size_t i) { return labels.values[i]; }, Connectivity::four);
+    const std::vector<std::size_t> num_cells = parts.num_cells();
+    std::vector<std::uint32_t> label_of(num_cells.size(), 0);
+    parts.for_each_run(
+        [&](const CellRun& run, std::size_t first) { label_of[run.part] = labels.values[first]; });
     std::map<std::uint32_t, std::size_t> num_parts;
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == 0 || is_met[i]) continue;
-        std::vector<std::size_t> part{i};
-        is_met[i] = true;
-        for (std::size_t k = 0; k < part.size(); ++k) {
-            const Cell cell = labels.cell(part[k]);
-            for (const Cell step : kSteps) {
-                const Cell next{cell.x + step.x, cell.y + step.y};
-                if (!labels.contains(next)) continue;
-                const std::size_t place = labels.offset(next);
-                if (is_met[place] || labels.values[place] != labels.values[i]) continue;
-                is_met[place] = true;
-                part.push_back(place);
-            }
-        }
-        if (part.size() >= min_cells) ++num_parts[labels.values[i]];
+    for (std::size_t part = 1; part < num_cells.size(); ++part) {
+        if (num_cells[part] >= min_cells) ++num_parts[label_of[part]];
     }
     return static_cast<std::size_t>(std::count_if(
         num_parts.begin(), num_parts.end(), [](const auto& entry) { return entry.second > 1; }));

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "reproduce/markup.hpp"
+#include "io/markup.hpp"
+#include "reproduce/sentence.hpp"
 
 namespace quadcut {
 namespace {
@@ -46,11 +47,7 @@ std::string figure(double value) {
         result.erase(result.find_last_not_of('0') + 1);
         if (result.back() == '.') result.pop_back();
     }
-    const std::size_t dot = std::min(result.find('.'), result.size());
-    for (std::size_t at = dot; at > 3; at -= 3) {
-        if (at - 3 > 0 && result[at - 4] != '-') result.insert(at - 3, ",");
-    }
-    return result;
+    return reproduce::with_commas(std::move(result));
 }
 
 /// A round number of about a fifth of the range.
@@ -70,7 +67,7 @@ public:
         svg_ = "<!-- Written by quadcut -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
                number(kWidth) + "\" height=\"" + number(kHeight) + "\" viewBox=\"0 0 " +
                number(kWidth) + " " + number(kHeight) + "\" role=\"img\">\n<title>" +
-               escaped(title) +
+               io::escaped(title) +
                "</title>\n<style>\n"
                "text { font: 14px system-ui, 'DejaVu Sans', sans-serif; fill: #2d3642; }\n"
                ".title { font-weight: 600; font-size: 16px; } .soft { fill: #5d6874; }\n"
@@ -98,7 +95,7 @@ public:
     void text(double x, double y, const char* anchor, const std::string& words,
               const std::string& kind = "soft") {
         svg_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor +
-                "\" class=\"" + kind + "\">" + escaped(words) + "</text>\n";
+                "\" class=\"" + kind + "\">" + io::escaped(words) + "</text>\n";
     }
     void line(double x1, double y1, double x2, double y2, const char* kind) {
         svg_ += "<line x1=\"" + number(x1) + "\" x2=\"" + number(x2) + "\" y1=\"" + number(y1) +

@@ -22,17 +22,19 @@ std::string joined(const std::vector<Claim>& claims, bool holds) {
 
 }  // namespace
 
+std::string with_commas(std::string number) {
+    const std::size_t first = number.front() == '-' ? 1 : 0;
+    for (std::size_t at = std::min(number.find('.'), number.size()); at > first + 3;) {
+        at -= 3;
+        number.insert(at, ",");
+    }
+    return number;
+}
+
 std::string in_words(double value) {
     const double magnitude = std::abs(value);
     const int decimals = magnitude >= 100.0 ? 0 : magnitude >= 10.0 ? 1 : magnitude >= 0.1 ? 2 : 4;
-    std::string text = io::rounded(value, decimals);
-    const std::size_t end = std::min(text.find('.'), text.size());
-    const std::size_t first = text.front() == '-' ? 1 : 0;
-    for (std::size_t at = end; at > first + 3;) {
-        at -= 3;
-        text.insert(at, ",");
-    }
-    return text;
+    return with_commas(io::rounded(value, decimals));
 }
 
 std::string speed_against(double ours_ms, double theirs_ms) {
@@ -41,8 +43,6 @@ std::string speed_against(double ours_ms, double theirs_ms) {
     if (ratio < 1.0 / 1.1) return in_words(1.0 / ratio) + " times as slow as";
     return "about as fast as";
 }
-
-std::string factor(double ours, double theirs) { return in_words(ours / theirs) + " times"; }
 
 bool agrees(const std::vector<Claim>& claims) {
     return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });

@@ -11,6 +11,9 @@ namespace quadcut::reproduce {
 
 // Sentences made of measured numbers.
 
+/// A number with commas between its thousands: 17,300.25.
+[[nodiscard]] std::string with_commas(std::string number);
+
 /// Two or three significant digits, thousands with commas: 17,300, 43, 0.31.
 [[nodiscard]] std::string in_words(double value);
 
@@ -18,9 +21,6 @@ namespace quadcut::reproduce {
 /// "284 times as fast as" or "3.2 times as slow as", of ours against theirs; "about as fast as"
 /// within a tenth.
 [[nodiscard]] std::string speed_against(double ours_ms, double theirs_ms);
-
-/// "3.2 times as many" or "0.31 times as many".
-[[nodiscard]] std::string factor(double ours, double theirs);
 
 /// One sentence on all claims: "Agrees: ...", "Differs: ...", or "Agrees in 2 of 3: ...; differs:
 /// ...".

@@ -11,14 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "reproduce/kd_tree.hpp"
-
 namespace quadcut::reproduce {
 namespace {
 
 constexpr std::array<Cell, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 constexpr std::array<Cell, 8> kAround{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+std::int64_t squared_distance(Cell a, Cell b) {
+    const std::int64_t dx = std::int64_t{a.x} - b.x;
+    const std::int64_t dy = std::int64_t{a.y} - b.y;
+    return dx * dx + dy * dy;
+}
 
 Cell moved(Cell cell, Cell step) { return {cell.x + step.x, cell.y + step.y}; }
 

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "eval/building_case.hpp"
-#include "eval/cases.hpp"
+#include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
 #include "io/label_image.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/map/clearance.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "sim/building.hpp"
@@ -89,17 +87,6 @@ World from_log(const std::string& name, const std::filesystem::path& path) {
     return world;
 }
 
-/// The middle of the widest place that can be walked on.
-Pose widest_place(const GridMap& map) {
-    constexpr double kMinPartM2 = 4.0;
-    const Raster<float> clearance = clearance_m(inside(map, {}, kMinPartM2), map.resolution_m);
-    const auto widest = std::max_element(clearance.values.begin(), clearance.values.end());
-    const Cell cell = clearance.cell(static_cast<std::size_t>(widest - clearance.values.begin()));
-    const Point at = transform(
-        map.map_from_image, {(cell.x + 0.5) * map.resolution_m, (cell.y + 0.5) * map.resolution_m});
-    return {at.x, at.y, 0.0};
-}
-
 void read_truth(World& world, const GridMap& map, const std::filesystem::path& image) {
     world.truth_map = map;
     world.truth = as_raster(io::read_label_image(image));
@@ -154,7 +141,8 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
     GridMap solid = ground;
     std::replace(solid.states.values.begin(), solid.states.values.end(), CellState::unknown,
                  CellState::occupied);
-    explore(world, solid, widest_place(ground), seed);
+    constexpr double kMinPartM2 = 4.0;
+    explore(world, solid, sim::widest_place(inside(ground, {}, kMinPartM2), ground), seed);
     read_truth(world, ground, *data / kLaboratoryRooms);
     world.origin =
         "laboratory: the floor plan of a real laboratory with its furniture, "

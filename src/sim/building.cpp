@@ -11,6 +11,7 @@
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
+#include "quadcut/map/flood.hpp"
 #include "sim/furniture.hpp"
 #include "sim/layout.hpp"
 #include "sim/plan.hpp"
@@ -21,45 +22,12 @@ namespace {
 // Unknown ground around the building.
 constexpr double kMargin = 1.0;
 
-const char* name_of(RoomUse use) {
-    switch (use) {
-        case RoomUse::corridor:
-            return "Corridor";
-        case RoomUse::aisle:
-            return "Aisle";
-        case RoomUse::hall:
-            return "Hall";
-        case RoomUse::office:
-            return "Office";
-        case RoomUse::open_office:
-            return "Open office";
-        case RoomUse::meeting:
-            return "Meeting room";
-        case RoomUse::laboratory:
-            return "Laboratory";
-        case RoomUse::classroom:
-            return "Classroom";
-        case RoomUse::cubicle:
-            return "Cubicle";
-        case RoomUse::washroom:
-            return "Washroom";
-        case RoomUse::toilet:
-            return "Toilet";
-        case RoomUse::storage:
-            return "Storage";
-        case RoomUse::kitchen:
-            return "Kitchen";
-        case RoomUse::lounge:
-            return "Lounge";
-        case RoomUse::bedroom:
-            return "Bedroom";
-        case RoomUse::ward:
-            return "Ward";
-        case RoomUse::bathroom:
-            return "Bathroom";
-    }
-    return "Room";
-}
+// By RoomUse.
+constexpr std::array kNames{"Corridor",     "Aisle",      "Hall",      "Office",  "Open office",
+                            "Meeting room", "Laboratory", "Classroom", "Cubicle", "Washroom",
+                            "Toilet",       "Storage",    "Kitchen",   "Lounge",  "Bedroom",
+                            "Ward",         "Bathroom"};
+static_assert(kNames.size() == static_cast<std::size_t>(RoomUse::bathroom) + 1);
 
 RoomKind kind_of(RoomUse use) {
     switch (use) {
@@ -119,14 +87,9 @@ private:
 };
 
 void Draughtsman::lay_out_grid() {
-    Rect box{1e9, 1e9, -1e9, -1e9};
+    Rect box = kNoRect;
     for (const PlanRoom& room : plan_.rooms) {
-        for (const Polygon& polygon : floor_of(room)) {
-            for (const Point& p : polygon) {
-                box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
-                       std::max(box.y1, p.y)};
-            }
-        }
+        for (const Polygon& polygon : floor_of(room)) box.include(polygon);
     }
     const double r = options_.resolution_m;
     box = grow(box, kMargin);
@@ -182,8 +145,7 @@ void Draughtsman::draw_floors() {
 void Draughtsman::drop_islets() {
     Raster<std::uint16_t>& labels = building_.bare_labels;
     std::vector<std::vector<std::size_t>> largest(plan_.rooms.size());
-    std::vector<std::uint8_t> seen(labels.values.size(), 0);
-    const auto width = static_cast<std::size_t>(labels.width);
+    std::vector<bool> seen(labels.values.size(), false);
     const auto drop = [&](const std::vector<std::size_t>& cells) {
         for (const std::size_t i : cells) {
             labels.values[i] = 0;
@@ -192,18 +154,10 @@ void Draughtsman::drop_islets() {
     };
     for (std::size_t start = 0; start < seen.size(); ++start) {
         const std::uint16_t label = labels.values[start];
-        if (label == 0 || seen[start] != 0) continue;
-        std::vector<std::size_t> part{start};
-        seen[start] = 1;
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            // The margin keeps all neighbours inside the raster.
-            for (const std::size_t next :
-                 {part[i] - 1, part[i] + 1, part[i] - width, part[i] + width}) {
-                if (seen[next] != 0 || labels.values[next] != label) continue;
-                seen[next] = 1;
-                part.push_back(next);
-            }
-        }
+        if (label == 0 || seen[start]) continue;
+        std::vector<std::size_t> part =
+            flood(labels, start, seen, Connectivity::four,
+                  [&](std::size_t i) { return labels.values[i] == label; });
         std::vector<std::size_t>& best = largest[label - 1U];
         if (part.size() > best.size()) std::swap(part, best);
         drop(part);
@@ -245,7 +199,7 @@ void Draughtsman::describe() {
     const double cell_area = options_.resolution_m * options_.resolution_m;
     for (std::size_t i = 0; i < plan_.rooms.size(); ++i) {
         const PlanRoom& room = plan_.rooms[i];
-        const std::string name = name_of(room.use);
+        const std::string name = kNames[static_cast<std::size_t>(room.use)];
         building_.rooms.push_back(
             {static_cast<RoomId>(i + 1), name + " " + std::to_string(++count_of[name]),
              kind_of(room.use), static_cast<double>(num_cells[i + 1]) * cell_area, floor_of(room)});

@@ -242,13 +242,8 @@ bool Furnisher::add_free(const Piece& piece, const FloorPart& part, const Point&
 }
 
 void Furnisher::clear_ways() {
-    Rect window{1e9, 1e9, -1e9, -1e9};
-    for (const FloorPart& part : room().parts) {
-        for (const Point& p : to_polygon(part.frame, part.rect)) {
-            window = {std::min(window.x0, p.x), std::min(window.y0, p.y), std::max(window.x1, p.x),
-                      std::max(window.y1, p.y)};
-        }
-    }
+    Rect window = kNoRect;
+    for (const FloorPart& part : room().parts) window.include(to_polygon(part.frame, part.rect));
     std::vector<Point> starts;
     for (const PlanDoor& door : doors_) {
         const double x = door.opening.center().x;

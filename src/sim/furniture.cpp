@@ -11,6 +11,19 @@
 namespace quadcut::sim {
 namespace {
 
+// What a kind of box measures.
+struct BoxSizes {
+    double least_width;
+    double most_width;
+    double least_depth;
+    double most_depth;
+};
+
+constexpr BoxSizes kCupboard{0.8, 2.2, 0.4, 0.62};
+constexpr BoxSizes kShelf{0.7, 2.0, 0.28, 0.42};
+constexpr BoxSizes kSofa{0.85, 2.3, 0.8, 0.95};
+constexpr BoxSizes kMachine{1.8, 3.6, 0.6, 0.8};
+
 // Chooses what stands in a room.
 class Decorator {
 public:
@@ -25,11 +38,9 @@ public:
     void decorate();
 
 private:
-    void cupboards(int count);
-    void shelves(int count);
+    void boxes(int count, const BoxSizes& sizes);
     void small_things(int count);
     void desks(int count);
-    void sofas(int count);
     // Tables or islands in rows over the main part of the room.
     template <typename MakePiece>
     void rows(double pitch_x, double pitch_y, double margin, bool along_x, MakePiece make_piece);
@@ -59,17 +70,11 @@ private:
     double area_ = 0.0;
 };
 
-void Decorator::cupboards(int count) {
+void Decorator::boxes(int count, const BoxSizes& sizes) {
     for (int i = 0; i < count; ++i) {
-        const double width = random_.uniform(0.8, 2.2);
-        furnisher_.add_at_wall(box_piece(width, random_.uniform(0.4, 0.62)), 0.3);
-    }
-}
-
-void Decorator::shelves(int count) {
-    for (int i = 0; i < count; ++i) {
-        const double width = random_.uniform(0.7, 2.0);
-        furnisher_.add_at_wall(box_piece(width, random_.uniform(0.28, 0.42)), 0.3);
+        const double width = random_.uniform(sizes.least_width, sizes.most_width);
+        furnisher_.add_at_wall(
+            box_piece(width, random_.uniform(sizes.least_depth, sizes.most_depth)), 0.3);
     }
 }
 
@@ -90,13 +95,6 @@ void Decorator::desks(int count) {
     for (int i = 0; i < count; ++i) {
         const double width = random_.uniform(1.2, 1.8);
         furnisher_.add_at_wall(desk_piece(make_, width, depth, random_));
-    }
-}
-
-void Decorator::sofas(int count) {
-    for (int i = 0; i < count; ++i) {
-        const double width = random_.uniform(0.85, 2.3);
-        furnisher_.add_at_wall(box_piece(width, random_.uniform(0.8, 0.95)), 0.3);
     }
 }
 
@@ -171,8 +169,8 @@ void Decorator::office() {
     } else {
         desks(count(0.14, 1, 5));
     }
-    cupboards(count(0.1, 1, 3));
-    shelves(count(0.06, 0, 3));
+    boxes(count(0.1, 1, 3), kCupboard);
+    boxes(count(0.06, 0, 3), kShelf);
     if (has_table) side_table();
     small_things(count(0.12, 1, 4));
 }
@@ -193,8 +191,8 @@ void Decorator::hall() {
                                random_);
         });
     }
-    shelves(5);
-    sofas(3);
+    boxes(5, kShelf);
+    boxes(3, kSofa);
     small_things(6);
 }
 
@@ -204,19 +202,16 @@ void Decorator::laboratory() {
         return table_piece(make_, random_.uniform(2.4, 3.2), random_.uniform(0.8, 1.4), 2, false,
                            random_);
     });
-    for (int i = 0; i < 2; ++i) {
-        const double width = random_.uniform(1.8, 3.6);
-        furnisher_.add_at_wall(box_piece(width, random_.uniform(0.6, 0.8)), 0.3);
-    }
-    cupboards(3);
+    boxes(2, kMachine);
+    boxes(3, kCupboard);
     small_things(4);
 }
 
 void Decorator::classroom() {
     const bool along_x = part_.rect.width() < part_.rect.height();
     rows(1.95, 1.75, 0.55, along_x, [&] { return desk_piece(make_, 1.3, 0.55, random_); });
-    cupboards(2);
-    shelves(2);
+    boxes(2, kCupboard);
+    boxes(2, kShelf);
     small_things(2);
 }
 
@@ -226,16 +221,16 @@ void Decorator::kitchen() {
     furnisher_.add_at_wall(box_piece(width, 0.62), 0.5);
     furnisher_.add_at_wall(box_piece(0.62, 0.64), 0.4);
     if (area_ > 8.0) side_table();
-    cupboards(1);
+    boxes(1, kCupboard);
     small_things(2);
 }
 
 void Decorator::lounge() {
-    sofas(count(0.12, 2, 4));
+    boxes(count(0.12, 2, 4), kSofa);
     side_table();
     if (area_ > 22.0) table_in_the_middle();
-    cupboards(2);
-    shelves(1);
+    boxes(2, kCupboard);
+    boxes(1, kShelf);
     small_things(3);
 }
 
@@ -257,7 +252,7 @@ void Decorator::ward() {
                                0.4);
         furnisher_.add_at_wall(box_piece(0.5, 0.45));
     }
-    cupboards(2);
+    boxes(2, kCupboard);
     side_table();
     small_things(2);
 }
@@ -279,33 +274,27 @@ void Decorator::decorate() {
     switch (furnisher_.room().use) {
         case RoomUse::corridor:
         case RoomUse::aisle:
-            corridor();
-            break;
+            return corridor();
         case RoomUse::hall:
-            hall();
-            break;
+            return hall();
         case RoomUse::office:
-            office();
-            break;
+            return office();
         case RoomUse::open_office:
             open_plan();
-            cupboards(3);
+            boxes(3, kCupboard);
             small_things(4);
             break;
         case RoomUse::meeting:
             table_in_the_middle();
-            cupboards(1);
+            boxes(1, kCupboard);
             small_things(2);
             break;
         case RoomUse::laboratory:
-            laboratory();
-            break;
+            return laboratory();
         case RoomUse::classroom:
-            classroom();
-            break;
+            return classroom();
         case RoomUse::cubicle:
-            cubicle();
-            break;
+            return cubicle();
         case RoomUse::washroom:
             for (int i = 0; i < 2; ++i) furnisher_.add_at_wall(box_piece(0.5, 0.4));
             small_things(1);
@@ -314,24 +303,19 @@ void Decorator::decorate() {
             furnisher_.add_opposite_door(box_piece(0.36, random_.uniform(0.5, 0.65)));
             break;
         case RoomUse::storage:
-            shelves(4);
+            boxes(4, kShelf);
             small_things(4);
             break;
         case RoomUse::kitchen:
-            kitchen();
-            break;
+            return kitchen();
         case RoomUse::lounge:
-            lounge();
-            break;
+            return lounge();
         case RoomUse::bedroom:
-            bedroom();
-            break;
+            return bedroom();
         case RoomUse::ward:
-            ward();
-            break;
+            return ward();
         case RoomUse::bathroom:
-            bathroom();
-            break;
+            return bathroom();
     }
 }
 

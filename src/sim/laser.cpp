@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quadcut/map/line_walk.hpp"
+
 namespace quadcut::sim {
 namespace {
 
@@ -32,12 +34,6 @@ void chessboard_distance(Raster<std::uint8_t>& reach) {
     }
 }
 
-// Without the call that std::floor is on a plain x86-64.
-std::int32_t floor_of(double value) {
-    const auto whole = static_cast<std::int32_t>(value);
-    return whole - (value < whole ? 1 : 0);
-}
-
 // One axis of a ray, in cells.
 struct Axis {
     double origin;
@@ -49,7 +45,7 @@ struct Axis {
         : origin(from),
           direction(along),
           inverse(along != 0.0 ? 1.0 / along : std::numeric_limits<double>::infinity()),
-          cell(floor_of(from)) {}
+          cell(floor_to_int(from)) {}
 
     // Where the ray leaves the square of cells within `margin` of its cell.
     [[nodiscard]] double exit(std::int32_t margin) const {
@@ -59,7 +55,7 @@ struct Axis {
     }
     void step_out(std::int32_t margin) { cell += direction > 0.0 ? margin + 1 : -margin - 1; }
     void follow(double t, std::int32_t margin) {
-        cell = std::clamp(floor_of(origin + t * direction), cell - margin, cell + margin);
+        cell = std::clamp(floor_to_int(origin + t * direction), cell - margin, cell + margin);
     }
 };
 

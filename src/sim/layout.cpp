@@ -130,17 +130,9 @@ bool LayoutBuilder::is_free(const std::vector<Polygon>& footprint) const {
 }
 
 double LayoutBuilder::extent_with(const std::vector<Polygon>& footprint) const {
-    Rect box{1e9, 1e9, -1e9, -1e9};
-    const auto cover = [&](const std::vector<Polygon>& polygons) {
-        for (const Polygon& polygon : polygons) {
-            for (const Point& p : polygon) {
-                box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
-                       std::max(box.y1, p.y)};
-            }
-        }
-    };
-    cover(footprint_);
-    cover(footprint);
+    Rect box = kNoRect;
+    for (const Polygon& polygon : footprint_) box.include(polygon);
+    for (const Polygon& polygon : footprint) box.include(polygon);
     return box.width() * box.width() + box.height() * box.height();
 }
 

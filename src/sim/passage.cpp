@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "quadcut/map/clearance.hpp"
+#include "quadcut/map/flood.hpp"
 
 namespace quadcut::sim {
 namespace {
@@ -14,23 +15,6 @@ constexpr std::uint8_t kBlocked = 0;
 constexpr std::uint8_t kOpen = 1;
 constexpr std::uint8_t kUnderFurniture = 2;
 constexpr std::uint8_t kReached = 3;
-
-void flood(Raster<std::uint8_t>& raster, const Cell& start) {
-    std::vector<Cell> queue{start};
-    raster.at(start) = kReached;
-    while (!queue.empty()) {
-        const Cell c = queue.back();
-        queue.pop_back();
-        for (const Cell& next :
-             {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
-            if (!raster.contains(next)) continue;
-            std::uint8_t& value = raster.at(next);
-            if (value != kOpen && value != kUnderFurniture) continue;
-            value = kReached;
-            queue.push_back(next);
-        }
-    }
-}
 
 void paint(Raster<std::uint8_t>& raster, const std::vector<Span>& spans, std::uint8_t value) {
     for (const Span& span : spans) {
@@ -89,7 +73,12 @@ bool Passage::is_open(const std::vector<Obstacle>& obstacles,
     if (!starts_.empty() && num_open_ > 0) {
         const Cell first = grid_.cell(starts_.front());
         if (!state.contains(first) || state.at(first) == kBlocked) return false;
-        flood(state, first);
+        std::vector<bool> seen(state.values.size(), false);
+        const auto is_way = [&](std::size_t i) { return state.values[i] != kBlocked; };
+        for (const std::size_t i :
+             flood(state, state.offset(first), seen, Connectivity::four, is_way)) {
+            state.values[i] = kReached;
+        }
     }
     for (const Point& start : starts_) {
         const Cell cell = grid_.cell(start);

@@ -234,6 +234,15 @@ Explorer& Explorer::operator=(Explorer&&) noexcept = default;
 
 std::optional<KeyScan> Explorer::next() { return drive_->next(); }
 
+Pose widest_place(const Raster<std::uint8_t>& open, const GridMap& map) {
+    const Raster<float> clearance = clearance_m(open, map.resolution_m);
+    const auto widest = std::max_element(clearance.values.begin(), clearance.values.end());
+    const Cell cell = clearance.cell(static_cast<std::size_t>(widest - clearance.values.begin()));
+    const Point at = transform(
+        map.map_from_image, {(cell.x + 0.5) * map.resolution_m, (cell.y + 0.5) * map.resolution_m});
+    return {at.x, at.y, 0.0};
+}
+
 Pose start_pose(const Building& building) {
     std::uint16_t wanted = 1;
     for (const TrueRoom& room : building.rooms) {
@@ -247,12 +256,7 @@ Pose start_pose(const Building& building) {
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         open.values[i] = labels.values[i] == wanted ? 1 : 0;
     }
-    const Raster<float> clearance = clearance_m(open, building.map.resolution_m);
-    const auto best = std::max_element(clearance.values.begin(), clearance.values.end());
-    const Cell cell = clearance.cell(static_cast<std::size_t>(best - clearance.values.begin()));
-    const double r = building.map.resolution_m;
-    return {building.map.map_from_image.x + (cell.x + 0.5) * r,
-            building.map.map_from_image.y + (cell.y + 0.5) * r, 0.0};
+    return widest_place(open, building.map);
 }
 
 Exploration explore(const GridMap& world, const Pose& start, const RobotOptions& options) {

@@ -64,6 +64,9 @@ private:
     std::unique_ptr<Drive> drive_;
 };
 
+/// The middle of the widest place of what is open (1), on the cells of a map.
+[[nodiscard]] Pose widest_place(const Raster<std::uint8_t>& open, const GridMap& map);
+
 /// Where a robot starts in a building: in its first corridor (or room), as far from all obstacles
 /// as can be.
 [[nodiscard]] Pose start_pose(const Building& building);

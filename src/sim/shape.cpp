@@ -78,6 +78,12 @@ void add_span(std::vector<Span>& spans, const CellGrid& grid, const Interval& x,
 
 }  // namespace
 
+void Rect::include(const Polygon& polygon) {
+    const Interval x = project(polygon, {1.0, 0.0});
+    const Interval y = project(polygon, {0.0, 1.0});
+    *this = {std::min(x0, x.low), std::min(y0, y.low), std::max(x1, x.high), std::max(y1, y.high)};
+}
+
 Rect grow(const Rect& rect, double margin) {
     return {rect.x0 - margin, rect.y0 - margin, rect.x1 + margin, rect.y1 + margin};
 }

@@ -9,6 +9,9 @@
 
 namespace quadcut::sim {
 
+/// Convex, corners in order, either orientation.
+using Polygon = std::vector<Point>;
+
 /// An axis-parallel rectangle in some frame, metres.
 struct Rect {
     double x0 = 0.0;
@@ -23,7 +26,12 @@ struct Rect {
     [[nodiscard]] bool contains(const Point& p) const {
         return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
     }
+    /// Grows to hold all corners of a polygon.
+    void include(const Polygon& polygon);
 };
+
+/// What a rectangle grows from.
+inline constexpr Rect kNoRect{1e9, 1e9, -1e9, -1e9};
 
 /// A frame of the plane: two unit vectors at right angles, in either handedness, so that a layout
 /// can be mirrored. Quarter turns are exact.
@@ -55,9 +63,6 @@ struct Frame {
 [[nodiscard]] inline Frame compose(const Frame& outer, const Frame& inner) {
     return {outer.map(inner.origin), outer.turn(inner.u), outer.turn(inner.v)};
 }
-
-/// Convex, corners in order, either orientation.
-using Polygon = std::vector<Point>;
 
 [[nodiscard]] Rect grow(const Rect& rect, double margin);
 [[nodiscard]] bool overlap(const Rect& a, const Rect& b);

@@ -12,26 +12,10 @@
 namespace quadcut::sim {
 namespace {
 
-enum class UnitKind : std::uint8_t {
-    small,
-    single,
-    wide,
-    large,
-    hall,
-    around,
-    deep_suite,
-    side_suite,
-    washroom,
-    aisle,
-    cubicle_row,
-    open_room,
-    core,
-};
-
 // What may stand in a row: how often by trade (office, home, clinic, school), how long, and the
 // depth that it needs.
 struct Offer {
-    UnitKind kind;
+    void (UnitBuilder::*build)(const Lot&);  ///< null: a plain room
     std::array<double, 4> weight;
     double min_length;
     double max_length;
@@ -41,19 +25,19 @@ struct Offer {
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr std::array<Offer, 13> kOffers{{
-    {UnitKind::small, {4, 6, 4, 3}, 1.5, 2.2, 0.0, 5.2},
-    {UnitKind::single, {34, 26, 22, 10}, 2.4, 4.2, 0.0, kAny},
-    {UnitKind::wide, {16, 16, 16, 10}, 4.2, 6.4, 0.0, kAny},
-    {UnitKind::large, {7, 0, 5, 34}, 7.0, 10.5, 4.5, kAny},
-    {UnitKind::hall, {3, 0, 1, 5}, 13.0, 19.0, 5.0, kAny},
-    {UnitKind::around, {9, 10, 26, 6}, 3.7, 6.0, 4.2, kAny},
-    {UnitKind::deep_suite, {7, 4, 4, 4}, 2.8, 4.8, 5.6, kAny},
-    {UnitKind::side_suite, {7, 5, 5, 6}, 6.0, 9.0, 0.0, kAny},
-    {UnitKind::washroom, {7, 0, 6, 9}, 2.6, 4.6, 3.8, kAny},
-    {UnitKind::aisle, {7, 0, 0, 0}, 6.0, 7.6, 4.6, kAny},
-    {UnitKind::cubicle_row, {5, 0, 0, 0}, 8.5, 14.0, 5.6, kAny},
-    {UnitKind::open_room, {6, 14, 5, 4}, 3.2, 5.5, 0.0, kAny},
-    {UnitKind::core, {4, 2, 4, 4}, 2.4, 3.4, 0.0, kAny},
+    {nullptr, {4, 6, 4, 3}, 1.5, 2.2, 0.0, 5.2},
+    {nullptr, {34, 26, 22, 10}, 2.4, 4.2, 0.0, kAny},
+    {nullptr, {16, 16, 16, 10}, 4.2, 6.4, 0.0, kAny},
+    {nullptr, {7, 0, 5, 34}, 7.0, 10.5, 4.5, kAny},
+    {nullptr, {3, 0, 1, 5}, 13.0, 19.0, 5.0, kAny},
+    {&UnitBuilder::add_room_around, {9, 10, 26, 6}, 3.7, 6.0, 4.2, kAny},
+    {&UnitBuilder::add_deep_suite, {7, 4, 4, 4}, 2.8, 4.8, 5.6, kAny},
+    {&UnitBuilder::add_side_suite, {7, 5, 5, 6}, 6.0, 9.0, 0.0, kAny},
+    {&UnitBuilder::add_washroom, {7, 0, 6, 9}, 2.6, 4.6, 3.8, kAny},
+    {&UnitBuilder::add_aisle, {7, 0, 0, 0}, 6.0, 7.6, 4.6, kAny},
+    {&UnitBuilder::add_cubicle_row, {5, 0, 0, 0}, 8.5, 14.0, 5.6, kAny},
+    {&UnitBuilder::add_open_room, {6, 14, 5, 4}, 3.2, 5.5, 0.0, kAny},
+    {&UnitBuilder::add_core, {4, 2, 4, 4}, 2.4, 3.4, 0.0, kAny},
 }};
 
 // Of rooms with a door, the least width of their front.
@@ -81,7 +65,6 @@ public:
 private:
     [[nodiscard]] const Offer* choose(double room_left) const;
     [[nodiscard]] double end_of(double length) const;
-    void build(const Offer& offer);
     void build_room();
 
     const Strip& strip_;
@@ -125,41 +108,6 @@ void StripFiller::build_room() {
     neighbour_ = room;
 }
 
-void StripFiller::build(const Offer& offer) {
-    const std::optional<std::size_t> neighbour = neighbour_;
-    neighbour_.reset();
-    switch (offer.kind) {
-        case UnitKind::around:
-            units_.add_room_around(lot_);
-            return;
-        case UnitKind::deep_suite:
-            units_.add_deep_suite(lot_);
-            return;
-        case UnitKind::side_suite:
-            units_.add_side_suite(lot_);
-            return;
-        case UnitKind::washroom:
-            units_.add_washroom(lot_);
-            return;
-        case UnitKind::aisle:
-            units_.add_aisle(lot_);
-            return;
-        case UnitKind::cubicle_row:
-            units_.add_cubicle_row(lot_);
-            return;
-        case UnitKind::open_room:
-            units_.add_open_room(lot_);
-            return;
-        case UnitKind::core:
-            units_.add_core(lot_);
-            return;
-        default:
-            break;
-    }
-    neighbour_ = neighbour;
-    build_room();
-}
-
 void StripFiller::fill() {
     if (strip_.front_end - strip_.front_begin < kLeastFront) return;
     while (lot_.begin < strip_.length) {
@@ -170,8 +118,9 @@ void StripFiller::fill() {
         const bool as_offered = offer != nullptr && lot_.is_fronted() &&
                                 lot_.length() >= offer->min_length &&
                                 lot_.length() <= offer->max_length * 1.15;
-        if (as_offered) {
-            build(*offer);
+        if (as_offered && offer->build != nullptr) {
+            neighbour_.reset();
+            (units_.*offer->build)(lot_);
         } else {
             build_room();
         }

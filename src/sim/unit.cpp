@@ -16,6 +16,11 @@ RoomUse pick(Random& random, std::initializer_list<RoomUse> uses) {
     return uses.begin()[random.below(uses.size())];
 }
 
+// Through a wall between two heights.
+Rect opening(double middle, double width, double low, double high) {
+    return {middle - 0.5 * width, low, middle + 0.5 * width, high};
+}
+
 }  // namespace
 
 RoomUse choose_use(Trade trade, double area_m2, Random& random) {
@@ -69,6 +74,17 @@ double UnitBuilder::door_place(double low, double high, double width) {
     return random_.uniform(first, last + 1e-9);
 }
 
+// Through the wall to the corridor.
+Rect UnitBuilder::front_opening(double middle, double width) const {
+    return opening(middle, width, -style_.corridor_wall_m, 0.0);
+}
+
+// Most rooms are for what their size suggests.
+std::size_t UnitBuilder::add_sized_room(const Lot& lot, const Rect& rect) {
+    const RoomUse use = choose_use(trade_, rect.area(), random_);
+    return plan_.add_room(use, lot.frame, rect, style_.outer_wall_m);
+}
+
 void UnitBuilder::add_front_door(const Lot& lot, std::size_t room, double low, double high) {
     low = std::max(low, lot.front_begin);
     high = std::min(high, lot.front_end);
@@ -77,8 +93,7 @@ void UnitBuilder::add_front_door(const Lot& lot, std::size_t room, double low, d
     const double area = plan_.rooms[room].parts.front().rect.area();
     const auto add = [&](double from, double to) {
         const double x = door_place(from, to, width);
-        const Rect opening{x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0.0};
-        plan_.doors.push_back({lot.corridor, room, lot.frame, opening, false});
+        plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), false});
     };
     if (area > 40.0 && free > 2.2 && random_.uniform() < 0.6) width = random_.uniform(1.3, 1.7);
     if (area > 40.0 && high - low > 6.0 && random_.uniform() < 0.5) {
@@ -115,8 +130,7 @@ void UnitBuilder::add_pillars(const Frame& frame, const Rect& rect) {
 
 std::size_t UnitBuilder::add_room(const Lot& lot) {
     const Rect rect{lot.begin, 0.0, lot.end, lot.depth};
-    const RoomUse use = choose_use(trade_, rect.area(), random_);
-    const std::size_t room = plan_.add_room(use, lot.frame, rect, style_.outer_wall_m);
+    const std::size_t room = add_sized_room(lot, rect);
     add_front_door(lot, room, lot.begin, lot.end);
     if (rect.area() > 65.0 && lot.depth > 5.5) add_pillars(lot.frame, rect);
     return room;
@@ -150,9 +164,8 @@ void UnitBuilder::add_room_around(const Lot& lot) {
     const double opening_width = random_.uniform(0.7, 0.85);
     const double y = door_place(0.0, depth, opening_width);
     const double wall = at_left ? cut : cut - p;
-    const Rect opening{y - 0.5 * opening_width, wall, y + 0.5 * opening_width, wall + p};
-    plan_.doors.push_back(
-        {at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(), opening, false});
+    plan_.doors.push_back({at_left ? inner : room, at_left ? room : inner, lot.frame.swapped(),
+                           opening(y, opening_width, wall, wall + p), false});
 }
 
 void UnitBuilder::add_deep_suite(const Lot& lot) {
@@ -160,23 +173,20 @@ void UnitBuilder::add_deep_suite(const Lot& lot) {
     const double cut = random_.uniform(2.5, lot.depth - p - 2.6);
     const Rect front{lot.begin, 0, lot.end, cut};
     const Rect back{lot.begin, cut + p, lot.end, lot.depth};
-    const std::size_t a = plan_.add_room(choose_use(trade_, front.area(), random_), lot.frame,
-                                         front, style_.outer_wall_m);
-    const std::size_t b = plan_.add_room(choose_use(trade_, back.area(), random_), lot.frame, back,
-                                         style_.outer_wall_m);
+    const std::size_t a = add_sized_room(lot, front);
+    const std::size_t b = add_sized_room(lot, back);
     add_front_door(lot, a, lot.begin, lot.end);
     const double width = door_width();
     const double x = door_place(lot.begin, lot.end, width);
-    plan_.doors.push_back(
-        {a, b, lot.frame, {x - 0.5 * width, cut, x + 0.5 * width, cut + p}, false});
+    plan_.doors.push_back({a, b, lot.frame, opening(x, width, cut, cut + p), false});
 }
 
 void UnitBuilder::join(std::size_t left, std::size_t right, const Lot& right_lot) {
     const double width = door_width();
     const double y = door_place(0.0, right_lot.depth, width);
-    const Rect opening{y - 0.5 * width, right_lot.begin - style_.partition_m, y + 0.5 * width,
-                       right_lot.begin};
-    plan_.doors.push_back({left, right, right_lot.frame.swapped(), opening, false});
+    plan_.doors.push_back({left, right, right_lot.frame.swapped(),
+                           opening(y, width, right_lot.begin - style_.partition_m, right_lot.begin),
+                           false});
 }
 
 void UnitBuilder::add_side_suite(const Lot& lot) {
@@ -185,12 +195,8 @@ void UnitBuilder::add_side_suite(const Lot& lot) {
     left.end = lot.begin + share * lot.length();
     Lot right = lot;
     right.begin = left.end + style_.partition_m;
-    const Rect a_rect{left.begin, 0, left.end, left.depth};
-    const Rect b_rect{right.begin, 0, right.end, right.depth};
-    const std::size_t a = plan_.add_room(choose_use(trade_, a_rect.area(), random_), lot.frame,
-                                         a_rect, style_.outer_wall_m);
-    const std::size_t b = plan_.add_room(choose_use(trade_, b_rect.area(), random_), lot.frame,
-                                         b_rect, style_.outer_wall_m);
+    const std::size_t a = add_sized_room(lot, {left.begin, 0, left.end, left.depth});
+    const std::size_t b = add_sized_room(lot, {right.begin, 0, right.end, right.depth});
     if (random_.uniform() < 0.5) {
         add_front_door(left, a, left.begin, left.end);
     } else {
@@ -215,11 +221,8 @@ void UnitBuilder::add_washroom(const Lot& lot) {
                            {x, lobby + p, x + width, lobby + p + stall_depth}, style_.outer_wall_m);
         const double door = random_.uniform(0.7, 0.75);
         const double middle = door_place(x, x + width, door);
-        plan_.doors.push_back({room,
-                               stall,
-                               lot.frame,
-                               {middle - 0.5 * door, lobby, middle + 0.5 * door, lobby + p},
-                               false});
+        plan_.doors.push_back(
+            {room, stall, lot.frame, opening(middle, door, lobby, lobby + p), false});
     }
     const double duct = lobby + p + stall_depth + style_.partition_m;
     if (lot.depth - duct > 0.3) {
@@ -260,11 +263,7 @@ void UnitBuilder::add_aisle(const Lot& lot) {
     const bool open = random_.uniform() < 0.5;
     const double width = open ? random_.uniform(1.2, aisle - 0.25) : door_width();
     const double x = left + 0.5 * aisle;
-    plan_.doors.push_back({lot.corridor,
-                           room,
-                           lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
-                           open});
+    plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), open});
     const Point v = lot.frame.v;
     const Point u = lot.frame.u;
     add_cubicles({lot.frame.map({lot.begin + depth, 0}), v, {-u.x, -u.y}}, lot.depth, depth, room);
@@ -291,11 +290,7 @@ void UnitBuilder::add_open_room(const Lot& lot) {
     const double high = std::min(lot.end, lot.front_end);
     const double width = std::min(random_.uniform(1.2, 2.0), high - low - 0.6);
     const double x = door_place(low + 0.1, high - 0.1, width);
-    plan_.doors.push_back({lot.corridor,
-                           room,
-                           lot.frame,
-                           {x - 0.5 * width, -style_.corridor_wall_m, x + 0.5 * width, 0},
-                           true});
+    plan_.doors.push_back({lot.corridor, room, lot.frame, front_opening(x, width), true});
 }
 
 void UnitBuilder::add_core(const Lot& lot) {

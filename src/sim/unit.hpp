@@ -57,6 +57,8 @@ public:
     void join(std::size_t left, std::size_t right, const Lot& right_lot);
 
 private:
+    std::size_t add_sized_room(const Lot& lot, const Rect& rect);
+    [[nodiscard]] Rect front_opening(double middle, double width) const;
     void add_front_door(const Lot& lot, std::size_t room, double low, double high);
     void add_cubicles(const Frame& row, double length, double depth, std::size_t aisle);
     void add_pillars(const Frame& frame, const Rect& rect);

@@ -15,6 +15,7 @@
 #include "io/map_server.hpp"
 #include "tests/e2e/labels.hpp"
 #include "tests/e2e/program.hpp"
+#include "tests/unit/io/image_file.hpp"
 
 namespace quadcut::test {
 namespace {
@@ -189,9 +190,12 @@ TEST(SegmentInputs, PresetPaperGivesAsManySubmapsAsAsked) {
 TEST(SegmentInputs, WhatPlaysNoPartIsWarnedOf) {
     const Folder folder;
     const std::string far = folder.write("far.tum", "0 5000 5000 0 0 0 0 1\n");
-    const Outcome outcome = segment_office(folder, {"--submaps", "4", "--poses", far});
+    const Outcome outcome =
+        segment_office(folder, {"--submaps", "4", "--poses", far, "--set", "scan.max_range=10"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.err.find("--submaps plays no part"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("options of scans play no part for a map"), std::string::npos)
+        << outcome.err;
     EXPECT_NE(outcome.err.find("none of the 1 poses lies in the map"), std::string::npos)
         << outcome.err;
 }

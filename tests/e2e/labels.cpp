@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/image.hpp"
+#include "tests/unit/io/image_file.hpp"
 
 namespace quadcut::test {
 

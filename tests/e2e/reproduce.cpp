@@ -11,6 +11,7 @@
 
 #include "io/image.hpp"
 #include "tests/e2e/program.hpp"
+#include "tests/unit/io/image_file.hpp"
 
 namespace quadcut::test {
 namespace {

@@ -55,14 +55,13 @@ private:
 quadcut::FollowOptions options() {
     quadcut::FollowOptions options;
     options.resolution_m = kResolutionM;
-    options.segment.num_threads = 1;
     options.first_cut_m2 = 4.0;
     return options;
 }
 
 class Fuzz {
 public:
-    explicit Fuzz(Bytes bytes) : bytes_(bytes), follower_(options()) {}
+    explicit Fuzz(Bytes bytes) : bytes_(bytes), follower_(options(), quadcut::RunOptions{1}) {}
 
     void run() {
         for (int i = 0; i < 40 && !bytes_.is_empty(); ++i) {
@@ -203,7 +202,7 @@ private:
             quadcut::add_tile(state, {at.second, at.first}, tile.first, tile.second);
         }
         state.map.commit();
-        follower_ = quadcut::Follower(options(), std::move(state));
+        follower_ = quadcut::Follower(options(), std::move(state), quadcut::RunOptions{1});
         static_cast<void>(follower_.rooms());
     }
 

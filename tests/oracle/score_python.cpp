@@ -14,6 +14,7 @@
 #include "eval/score.hpp"
 #include "io/image.hpp"
 #include "quadcut/base/random.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 // The scores against ../shared/eval/score_rooms.py.

@@ -14,6 +14,7 @@ import equations
 import generated
 import layers
 import names
+import public_headers
 import selftest
 import tidy
 from source import Tree, load_tree
@@ -57,6 +58,7 @@ def main() -> int:
     wings = ", ".join(f"{wing}: {budgets.num_lines(tree, wing)} of {limit} lines"
                       for wing, limit in budgets.MAX_LINES.items())
     report("budgets", budgets.check(tree), f" ({wings})")
+    report("public headers", public_headers.check(tree, fix))
     report("names", names.check(tree))
     report("equations", equations.check(tree))
     program = ROOT / "build/release/quadcut"

@@ -3,16 +3,14 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace quadcut {
+#include "quadcut/base/run_options.hpp"
 
-/// Told the name of each stage as it begins.
-using StageCallback = std::function<void(std::string_view stage)>;
+namespace quadcut {
 
 /// Wall time, milliseconds.
 [[nodiscard]] inline double ms_since(std::chrono::steady_clock::time_point start) {

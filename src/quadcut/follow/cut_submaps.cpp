@@ -8,8 +8,8 @@
 
 #include "quadcut/follow/part_rooms.hpp"
 #include "quadcut/map/connected_parts.hpp"
-#include "quadcut/map/free_leaves.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "quadcut/paper/visibility.hpp"
 
 namespace quadcut {

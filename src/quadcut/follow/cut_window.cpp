@@ -87,7 +87,7 @@ RoomsCut cut_alone(const FollowedMap& followed, const Window& window, const Segm
     StageClock clock;
     const RoomsCut laid =
         cut_into_rooms({laid_out<std::uint8_t>(kept, layout, 0), free_laid, resolution_m, beyond},
-                       options.rooms, options.seed, clock, executor);
+                       options.rooms, clock, executor);
     RoomsCut cut{Raster<std::uint32_t>(layout.box),
                  Raster<std::uint32_t>(layout.box),
                  laid.num_pieces,

@@ -34,11 +34,15 @@ void add_counts(const OccupancyMap& map, const MapUpdate& change, FollowUpdate& 
 
 }  // namespace
 
-Follower::Follower(const FollowOptions& options)
-    : options_(with_preset(options)), state_(std::make_unique<FollowedMap>(options.resolution_m)) {}
-
-Follower::Follower(const FollowOptions& options, FollowedMap state)
+Follower::Follower(const FollowOptions& options, const RunOptions& run)
     : options_(with_preset(options)),
+      executor_(run.executor()),
+      state_(std::make_unique<FollowedMap>(options.resolution_m)),
+      log_(std::make_unique<ChangeLog>()) {}
+
+Follower::Follower(const FollowOptions& options, FollowedMap state, const RunOptions& run)
+    : options_(with_preset(options)),
+      executor_(run.executor()),
       state_(std::make_unique<FollowedMap>(std::move(state))),
       log_(std::make_unique<ChangeLog>(state_->revision)) {
     if (state_->map.resolution_m() != options.resolution_m) {
@@ -47,6 +51,14 @@ Follower::Follower(const FollowOptions& options, FollowedMap state)
     }
     check(*state_);
 }
+
+Follower::Follower(const Follower& other)
+    : options_(other.options_),
+      executor_(other.executor_),
+      state_(std::make_unique<FollowedMap>(*other.state_)),
+      log_(std::make_unique<ChangeLog>(*other.log_)) {}
+
+Follower& Follower::operator=(const Follower& other) { return *this = Follower(other); }
 
 Follower::Follower(Follower&& other) noexcept = default;
 Follower& Follower::operator=(Follower&& other) noexcept = default;
@@ -91,7 +103,7 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
             note_seen(*state_, options_.segment.preset, change.observed);
         }
         if (!is_cut_due(*state_, options_)) return;
-        cut_again(*state_, options_, options_.min_patch_m2, executor(), update);
+        cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
     });
 }
 
@@ -111,19 +123,19 @@ FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
         add_counts(map, change, update);
         note_written(*state_, change.written, update.changes);
         note_seen(*state_, options_.segment.preset, change.written);
-        cut_again(*state_, options_, options_.min_patch_m2, executor(), update);
+        cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
     });
 }
 
 FollowUpdate Follower::finish() {
     return update(
-        [&](FollowUpdate& update) { cut_again(*state_, options_, 0.0, executor(), update); });
+        [&](FollowUpdate& update) { cut_again(*state_, options_, 0.0, executor_, update); });
 }
 
 std::optional<FollowUpdate> Follower::refine() {
     bool is_any = false;
     const FollowUpdate done = update([&](FollowUpdate& update) {
-        is_any = refine_stalest(*state_, options_, kMinStale, executor(), update);
+        is_any = refine_stalest(*state_, options_, kMinStale, executor_, update);
     });
     if (!is_any) return std::nullopt;
     return done;
@@ -134,7 +146,7 @@ Edited Follower::edit(const Edit& edit) { return apply(change_of(*state_, edit))
 Edited Follower::apply(const Reversal& reversal) {
     Edited done;
     done.update = update([&](FollowUpdate& update) {
-        done.inverse = quadcut::apply(*state_, reversal, options_, executor(), update);
+        done.inverse = quadcut::apply(*state_, reversal, options_, executor_, update);
     });
     return done;
 }
@@ -156,10 +168,6 @@ Changes Follower::changes_since(std::uint64_t revision) const {
     return changes;
 }
 
-Executor Follower::executor() const {
-    return {static_cast<int>(options_.segment.num_threads), options_.segment.accelerator};
-}
-
 const OccupancyMap& Follower::map() const { return state_->map; }
 std::size_t Follower::num_scans() const { return state_->num_scans; }
 std::size_t Follower::num_rooms() const { return state_->rooms.size(); }
@@ -174,7 +182,7 @@ RoomId Follower::room_at(const Point& point) const {
 }
 
 Segmentation Follower::rooms() const {
-    return result_of(*state_, options_.segment.rooms, executor());
+    return result_of(*state_, options_.segment.rooms, executor_);
 }
 
 std::size_t Follower::bytes() const {

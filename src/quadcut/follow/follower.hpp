@@ -9,6 +9,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/follow/edit.hpp"
 #include "quadcut/follow/follow_update.hpp"
 #include "quadcut/follow/options.hpp"
@@ -28,10 +29,12 @@ struct Segmentation;
 /// the map: the paper's incremental method. Not for use by two threads at once.
 class Follower {
 public:
-    explicit Follower(const FollowOptions& options = {});
+    explicit Follower(const FollowOptions& options = {}, const RunOptions& run = {});
     /// Goes on where state() of a follower with the same options was. Throws InputError when the
     /// state contradicts itself or has another resolution. O(state).
-    Follower(const FollowOptions& options, FollowedMap state);
+    Follower(const FollowOptions& options, FollowedMap state, const RunOptions& run = {});
+    Follower(const Follower& other);
+    Follower& operator=(const Follower& other);
     Follower(Follower&& other) noexcept;
     Follower& operator=(Follower&& other) noexcept;
     ~Follower();
@@ -73,11 +76,11 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    [[nodiscard]] Executor executor() const;
     template <typename Work>
     FollowUpdate update(const Work& work);
 
     FollowOptions options_;
+    Executor executor_;
     std::unique_ptr<FollowedMap> state_;
     std::unique_ptr<ChangeLog> log_;
 };

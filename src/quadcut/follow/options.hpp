@@ -2,14 +2,18 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <vector>
+
 #include "quadcut/map/integrate_options.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
 
+struct OptionField;
+
 struct FollowOptions {
     SegmentOptions segment;
-    /// Preset `paper` takes latest_scan_wins() instead.
+    /// Preset `paper` takes latest_scan_wins() of it.
     IntegrateOptions integrate;
     double resolution_m = 0.05;
     /// Rooms are cut again when so much free space has changed.
@@ -22,6 +26,10 @@ struct FollowOptions {
     /// What has changed by less stays as it is, unless finish() is called.
     double min_patch_m2 = 0.05;
 };
+
+/// Adds these and those of the stages, bound to the members of `options`, which must outlive the
+/// list.
+void add_fields(FollowOptions& options, std::vector<OptionField>& fields);
 
 /// The options as a Follower takes them.
 [[nodiscard]] FollowOptions with_preset(FollowOptions options);

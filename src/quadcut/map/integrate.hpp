@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
+
+/// No beam is used further.
+inline constexpr double kMaxRangeCells = 8192.0;
 
 /// The most cells that the box around all that scans see may have: 820 m x 820 m at 5 cm.
 inline constexpr std::int64_t kMaxCellsOfScans = std::int64_t{1} << 28;
@@ -23,6 +27,9 @@ struct TileEvidence {
     std::uint64_t miss = 0;
     std::uint64_t hit = 0;
 };
+
+/// The longest reading of a scan that says something; 0: none.
+[[nodiscard]] float longest_reading_m(const Scan& scan);
 
 /// Whole tiles, in cells, that hold all that a scan can speak of: as far around the sensor as its
 /// longest reading. Empty when no beam says anything. Throws InputError when the pose cannot be
@@ -52,9 +59,14 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
 
 /// Called after each scan with how many are done.
 using ScanProgress = std::function<void(std::size_t num_done)>;
+/// Gives scans one by one; nothing at the end.
+using NextScan = std::function<std::optional<Scan>()>;
 
 /// The map of a whole log: the same as integrate_scan one by one. Errors name the scan, from 0 on.
 [[nodiscard]] OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+                                          const IntegrateOptions& options = {},
+                                          const ScanProgress& progress = {});
+[[nodiscard]] OccupancyMap map_from_scans(const NextScan& next, double resolution_m,
                                           const IntegrateOptions& options = {},
                                           const ScanProgress& progress = {});
 

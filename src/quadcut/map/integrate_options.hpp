@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <vector>
+
 namespace quadcut {
+
+struct OptionField;
 
 /// What a scan does to the map.
 struct IntegrateOptions {
@@ -16,7 +20,10 @@ struct IntegrateOptions {
     int miss = -1;                  ///< added where the scan saw free space
 };
 
-/// One hit marks and one miss clears, as in the paper (READING.md item 20).
-[[nodiscard]] IntegrateOptions latest_scan_wins();
+/// Adds the options of scans, bound to the members of `options`, which must outlive the list.
+void add_fields(IntegrateOptions& options, std::vector<OptionField>& fields);
+
+/// One hit marks and one miss clears, as in the paper (READING.md item 20); the rest as it was.
+[[nodiscard]] IntegrateOptions latest_scan_wins(IntegrateOptions options = {});
 
 }  // namespace quadcut

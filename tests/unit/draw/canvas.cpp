@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "io/image.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::draw {

@@ -10,6 +10,7 @@
 #include "io/image.hpp"
 #include "io/room_colors.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::draw {

@@ -51,7 +51,7 @@ TEST(MapYaml, ReadsTheModes) {
     EXPECT_EQ(error_of([] { (void)parse(kGood + "mode: Raw2\n"); }),
               "m.yaml: line 7: mode: expected trinary, scale or raw, found \"Raw2\"");
     for (const MapMode mode : {MapMode::trinary, MapMode::scale, MapMode::raw}) {
-        EXPECT_EQ(parse(kGood + "mode: " + to_string(mode)).mode, mode);
+        EXPECT_EQ(parse(kGood + "mode: " + std::string(to_text(mode))).mode, mode);
     }
 }
 

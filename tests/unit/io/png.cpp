@@ -7,6 +7,7 @@
 #include <png.h>
 
 #include "io/image.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 // The PNG that quadcut does not write itself, made by libpng directly.

@@ -11,10 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {

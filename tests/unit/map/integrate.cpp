@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/map_file.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
 
@@ -39,6 +38,23 @@ Scan with_sector(Scan scan, double from_rad, double to_rad, float range_m) {
     return scan;
 }
 
+// All that a map holds.
+struct Contents {
+    Box tiles;
+    std::vector<std::array<std::int8_t, kTileCells>> log_odds;
+    friend bool operator==(const Contents&, const Contents&) = default;
+};
+
+Contents contents_of(const OccupancyMap& map) {
+    Contents contents{map.written_tiles(), {}};
+    for (Cell tile = contents.tiles.low; tile.y <= contents.tiles.high.y; ++tile.y) {
+        for (tile.x = contents.tiles.low.x; tile.x <= contents.tiles.high.x; ++tile.x) {
+            contents.log_odds.push_back(map.tile(tile).values);
+        }
+    }
+    return contents;
+}
+
 TEST(Integrate, ARoundRoomIsFreeWithAWallAround) {
     OccupancyMap map(0.05);
     const MapUpdate update = integrate_scan(map, round_scan(1.0, 1.0, 2.0F));
@@ -52,7 +68,7 @@ TEST(Integrate, ARoundRoomIsFreeWithAWallAround) {
         EXPECT_EQ(at(2.2), CellState::unknown);
     }
     EXPECT_EQ(map.state(map.cell_at({1.0, 2.999})), CellState::occupied);
-    EXPECT_FALSE(update.rebuilt.empty());
+    EXPECT_GT(update.nodes_rebuilt, 0U);
     ASSERT_TRUE(update.covering);
     EXPECT_LE(update.covering->lower_left.x, map.cell_at({-1.0, 0.0}).x);
 }
@@ -156,7 +172,7 @@ TEST(Integrate, InThePaperOneMissClearsAndOneHitMarks) {
 TEST(Integrate, AScanWithoutAPlaceChangesNothing) {
     OccupancyMap map(0.05);
     integrate_scan(map, round_scan(0.0, 0.0, 2.0F));
-    const std::vector<std::byte> before = io::encode_map(map);
+    const Contents before = contents_of(map);
     const double nan = std::nan("");
     for (const Pose pose : {Pose{nan, 0.0, 0.0}, Pose{0.0, nan, 0.0}, Pose{0.0, 0.0, nan},
                             Pose{1e9, 0.0, 0.0}, Pose{0.0, -1e300, 0.0}, Pose{1e6, 1e6, 0.0}}) {
@@ -169,7 +185,7 @@ TEST(Integrate, AScanWithoutAPlaceChangesNothing) {
         scan.angle_step_rad = step;
         EXPECT_THROW(integrate_scan(map, scan), InputError);
     }
-    EXPECT_EQ(io::encode_map(map), before);
+    EXPECT_TRUE(contents_of(map) == before);
 }
 
 TEST(Integrate, AFinerMapThanTheRangeAllowsIsRefused) {
@@ -181,7 +197,7 @@ TEST(Integrate, SingleBeamsAndNoneAreScans) {
     OccupancyMap map(0.05);
     Scan scan = round_scan(0.0, 0.0, 2.0F);
     scan.ranges_m.clear();
-    EXPECT_TRUE(integrate_scan(map, scan).rebuilt.empty());
+    EXPECT_EQ(integrate_scan(map, scan).nodes_rebuilt, 0U);
     scan.first_angle_rad = 0.0;
     scan.angle_step_rad = 0.0;
     scan.ranges_m = {2.0F};
@@ -215,7 +231,7 @@ TEST(Integrate, AWholeLogIsItsScansOneByOne) {
     std::size_t num_done = 0;
     const OccupancyMap whole =
         map_from_scans(scans, 0.05, {}, [&](std::size_t done) { num_done = done; });
-    EXPECT_EQ(io::encode_map(whole), io::encode_map(one_by_one));
+    EXPECT_TRUE(contents_of(whole) == contents_of(one_by_one));
     EXPECT_EQ(num_done, scans.size());
     scans[7].world_from_sensor.x = 1e12;
     try {

@@ -14,6 +14,7 @@
 #include "io/image.hpp"
 #include "io/map_server.hpp"
 #include "sim/workplace.hpp"
+#include "tests/unit/io/image_file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::sim {
