@@ -17,6 +17,9 @@
 #include "project/growing.hpp"
 #include "project/project_file.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/change_log.hpp"
+#include "quadcut/follow/followed_map.hpp"
+#include "quadcut/follow/follower.hpp"
 
 namespace quadcut {
 namespace {
@@ -43,14 +46,17 @@ Point middle_of(Cell cell, double resolution_m) {
 struct Project::Impl {
     enum class Home : std::uint8_t { memory, file, file_to_read };
 
-    Impl(project::ProjectFile project_file, Home project_home, const RunOptions& run)
+    Impl(project::ProjectFile project_file, Home project_home, const RunOptions& run_options)
         : home(project_home),
+          run(run_options),
           file(std::move(project_file)),
           follower(file.follower(run)),
+          changes(follower.state().revision),
           progress(file.progress()),
           history(file.edits()) {
         updates->append(file.update_lines());
         num_saved = updates->size();
+        saved_revision = follower.state().revision;
         sum_up();
     }
 
@@ -111,6 +117,8 @@ struct Project::Impl {
         bool is_asked_for = false;
         {
             const std::lock_guard lock(mutex);
+            if (update.changes.size() > 0) changes.add(update.changes);
+            is_new = true;
             sum_up();
             is_asked_for = is_wanted;
         }
@@ -127,16 +135,20 @@ struct Project::Impl {
         Snapshot::Story story{
             [lines = updates, count = updates->size()] { return lines->between(0, count); },
             [points = way, count = way->size()] { return points->between(0, count); }};
-        auto made = std::make_shared<const Snapshot>(follower, state.revision, std::move(story));
+        auto made = std::make_shared<const Snapshot>(follower.state(), file.options().segment.rooms,
+                                                     run.executor(), std::move(story));
         const std::lock_guard lock(mutex);
-        is_wanted = false;
+        is_wanted = is_new = false;
         return latest = std::move(made);
     }
 
     void save() {
-        file.save(follower,
-                  {updates->between(num_saved, updates->size()), std::exchange(events, {})},
+        const Changes unsaved = follower.changes_since(saved_revision);
+        file.save(follower.state(),
+                  {unsaved.tiles, updates->between(num_saved, updates->size()),
+                   std::exchange(events, {})},
                   progress);
+        saved_revision = unsaved.revision;
         num_saved = updates->size();
         saved_at = std::chrono::steady_clock::now();
     }
@@ -150,6 +162,7 @@ struct Project::Impl {
     void note(const EditRecord& record);
 
     const Home home;
+    const RunOptions run;
     // Of who has the turn.
     project::ProjectFile file;
     Follower follower;
@@ -157,6 +170,7 @@ struct Project::Impl {
     std::vector<LifeEvent> refined;
     std::vector<std::pair<std::size_t, LifeEvent>> events;
     std::size_t num_saved = 0;
+    std::uint64_t saved_revision = 0;
     std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
     const std::shared_ptr<project::Growing<std::string>> updates =
         std::make_shared<project::Growing<std::string>>();
@@ -168,9 +182,12 @@ struct Project::Impl {
     std::condition_variable is_over;
     std::uint64_t next_turn = 0;
     std::uint64_t turn = 0;
+    /// Somebody asks for a snapshot; there is something new to be shown.
     bool is_wanted = false;
+    bool is_new = true;
     std::shared_ptr<const Snapshot> latest;
     ProjectState state;
+    ChangeLog changes;
     project::Progress progress;
     std::vector<EditRecord> history;
 };
@@ -250,7 +267,9 @@ bool Project::refine() {
         const std::optional<FollowUpdate> update = impl_->follower.refine();
         if (!update) return false;
         impl_->refined.insert(impl_->refined.end(), update->events.begin(), update->events.end());
-        impl_->tell({});
+        FollowUpdate change;
+        change.changes = update->changes;
+        impl_->tell(change);
         return true;
     });
 }
@@ -325,16 +344,28 @@ std::string Project::file_bytes() {
 std::shared_ptr<const Snapshot> Project::snapshot(std::uint64_t at_least) const {
     std::unique_lock lock(impl_->mutex);
     for (;;) {
-        const std::uint64_t held = impl_->latest ? impl_->latest->revision() : 0;
-        if (impl_->latest && held == impl_->state.revision) return impl_->latest;
+        if (!impl_->is_new) return impl_->latest;
         if (impl_->turn == impl_->next_turn) {
             const Impl::Turn own(*impl_, std::move(lock));
             return impl_->publish();
         }
         impl_->is_wanted = true;
-        if (impl_->latest && held >= at_least) return impl_->latest;
+        if (impl_->latest && impl_->latest->revision() >= at_least) return impl_->latest;
         impl_->is_over.wait(lock);
     }
+}
+
+Changes Project::changes_since(std::uint64_t revision) const {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        const std::uint64_t now = impl_->state.revision;
+        if (revision >= impl_->changes.begin() && revision <= now) {
+            Changes changes = impl_->changes.since(revision);
+            changes.revision = now;
+            return changes;
+        }
+    }
+    return everything_in(*snapshot()->followed());
 }
 
 ProjectState Project::state() const {

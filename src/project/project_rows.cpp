@@ -292,6 +292,8 @@ FollowedMap read_state(const Database& database, double resolution_m) {
     }
     state.map.commit();
     if (is_placed && state.map.root() != root) throw InputError("tiles lie outside of the map");
+    // Who listens and knows of no revision has seen nothing of this.
+    if (is_placed) state.revision = 1;
     return state;
 }
 
