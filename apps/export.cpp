@@ -26,6 +26,7 @@
 #include "project/building_at.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {

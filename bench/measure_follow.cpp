@@ -223,8 +223,8 @@ double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
     Raster<std::uint32_t> a(box);
     Raster<std::uint32_t> b(box);
     for (std::size_t i = 0; i < a.values.size(); ++i) {
-        a.values[i] = one.room_cells().room(a.cell(i));
-        b.values[i] = other.room_cells().room(b.cell(i));
+        a.values[i] = one.state().cells.room(a.cell(i));
+        b.values[i] = other.state().cells.room(b.cell(i));
     }
     return 100.0 * eval::score_rooms(as_label_image(a), as_label_image(b)).pq;
 }

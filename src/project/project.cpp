@@ -111,7 +111,6 @@ struct Project::Impl {
         bool is_asked_for = false;
         {
             const std::lock_guard lock(mutex);
-            ++state.revision;
             sum_up();
             is_asked_for = is_wanted;
         }
@@ -119,6 +118,7 @@ struct Project::Impl {
     }
 
     void sum_up() {
+        state.revision = follower.state().revision;
         state.num_scans = follower.num_scans();
         state.num_rooms = follower.num_rooms();
     }
@@ -134,7 +134,7 @@ struct Project::Impl {
     }
 
     void save() {
-        file.save(follower.state_since_save(),
+        file.save(follower,
                   {updates->between(num_saved, updates->size()), std::exchange(events, {})},
                   progress);
         num_saved = updates->size();

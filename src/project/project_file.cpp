@@ -102,7 +102,7 @@ ProjectFile ProjectFile::in_memory(const std::filesystem::path& name, const Foll
     for (const Table& table : tables()) database.run(std::string(table.sql));
     write_options(database, options);
     write_progress(database, {position});
-    write_state(database, FollowerState{});
+    write_state(database, FollowedMap(options.resolution_m), {});
     database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
     database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
     database.run("COMMIT");
@@ -206,7 +206,7 @@ void ProjectFile::read_progress() {
 
 Follower ProjectFile::follower(const RunOptions& run) const {
     try {
-        return Follower(options_, read_state(database_), run);
+        return Follower(options_, read_state(database_, options_.resolution_m), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
@@ -247,14 +247,15 @@ void ProjectFile::set_state(const EditRecord& record, const Reversal& inverse) {
     write([&] { write_inverse(database_, record.number, record.state, inverse); });
 }
 
-void ProjectFile::save(const FollowerState& changes, const Unsaved& unsaved,
-                       const Progress& progress) {
+void ProjectFile::save(const Follower& follower, const Unsaved& unsaved, const Progress& progress) {
     write([&] {
         write_unsaved(unsaved);
-        write_state(database_, changes);
+        const Changes changes = follower.changes_since(saved_revision_);
+        write_state(database_, follower.state(), changes.tiles);
         write_progress(database_, progress);
         database_.run("COMMIT");
         progress_ = progress;
+        saved_revision_ = changes.revision;
         database_.run("BEGIN IMMEDIATE");
     });
 }

@@ -76,7 +76,7 @@ public:
     void set_state(const EditRecord& record, const Reversal& inverse);
     /// Writes all that has changed since the last save; after a write that has failed, none can be
     /// made. O(changes).
-    void save(const FollowerState& changes, const Unsaved& unsaved, const Progress& progress);
+    void save(const Follower& follower, const Unsaved& unsaved, const Progress& progress);
 
     /// What a file of this project holds, as it was last saved.
     [[nodiscard]] std::string file_bytes() const;
@@ -98,6 +98,8 @@ private:
     Database database_;
     FollowOptions options_;
     Progress progress_;
+    /// Of the follower.
+    std::uint64_t saved_revision_ = 0;
     bool is_broken_ = false;
 };
 

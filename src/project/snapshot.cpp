@@ -12,6 +12,7 @@
 
 #include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/rooms/describe.hpp"
 
@@ -123,11 +124,11 @@ const Segmentation& Snapshot::rooms() const {
 }
 
 const std::map<std::uint32_t, FollowedRoom>& Snapshot::followed() const {
-    return impl_->follower.followed();
+    return impl_->follower.state().rooms;
 }
 
 const std::vector<SplitLine>& Snapshot::split_lines() const {
-    return impl_->follower.split_lines();
+    return impl_->follower.state().split_lines;
 }
 
 std::string Snapshot::updates() const {

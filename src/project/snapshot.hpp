@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/result.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/integrate_options.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {

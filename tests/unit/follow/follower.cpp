@@ -13,6 +13,7 @@
 #include "eval/score.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "tests/unit/follow/followed.hpp"

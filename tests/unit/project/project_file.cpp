@@ -161,12 +161,12 @@ TEST(ProjectFile, AFullDiskLeavesWhatWasSaved) {
         ProjectFile file = ProjectFile::create(path, {}, {});
         Follower follower = file.follower({});
         follower.update_cells(test::bare_hall());
-        file.save(follower.state_since_save(), {}, {});
+        file.save(follower, {}, {});
         file.limit_pages(1);
         follower.update_cells(Raster<CellState>({300, 0}, 800, 800, CellState::free));
-        EXPECT_THAT(error_of([&] { file.save(follower.state_since_save(), {}, {}); }),
+        EXPECT_THAT(error_of([&] { file.save(follower, {}, {}); }),
                     HasSubstr("no space is left; the file holds what was saved before"));
-        EXPECT_THAT(error_of([&] { file.save(follower.state_since_save(), {}, {}); }),
+        EXPECT_THAT(error_of([&] { file.save(follower, {}, {}); }),
                     HasSubstr("a save has failed; it holds what was saved before"));
     }
     const ProjectFile file(path, Access::read);
