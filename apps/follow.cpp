@@ -79,7 +79,7 @@ void run(const Arguments& arguments) {
         parse_posed_log(open_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
 
     clock.begin("follow");
-    io::RunInfo info = run_info_of(options.segment, run_options);
+    io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
     info.input_hash = log.content_hash;
     Project project = begin_project(arguments, options, run_options, log);
