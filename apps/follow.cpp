@@ -13,7 +13,6 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/pace.hpp"
@@ -24,6 +23,7 @@
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
 #include "io/file.hpp"
+#include "io/scan_source.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/stage_clock.hpp"
@@ -54,10 +54,10 @@ void write(io::FileBatch& output, const Snapshot& building, const Segmentation& 
 }
 
 Project begin_project(const Arguments& arguments, const FollowOptions& options,
-                      const RunOptions& run, const PosedLog& log) {
+                      const RunOptions& run, const io::SourceFacts& facts) {
     ScanPosition source;
     source.source = io::display_name(arguments.operands[0]);
-    source.source_hash = hash_of(log.scans, log.content_hash);
+    source.source_hash = facts.scans_hash;
     const std::optional<std::string> path = arguments.value("--project");
     return path ? Project::open_or_create(*path, options, source, run)
                 : Project::in_memory(options, source, run);
@@ -75,21 +75,24 @@ void run(const Arguments& arguments) {
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
-    const PosedLog log =
-        parse_posed_log(open_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
+    const std::unique_ptr<io::ScanSource> source = io::open_scan_source(
+        open_log(arguments.operands[0]), {poses_of(arguments), options.resolution_m, {}});
+    const io::SourceFacts& facts = source->facts();
 
     clock.begin("follow");
     io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
-    info.input_hash = log.content_hash;
-    Project project = begin_project(arguments, options, run_options, log);
+    info.input_hash = facts.content_hash;
+    Project project = begin_project(arguments, options, run_options, facts);
     Pace pace(play.speed, machine_clock());
-    for (std::size_t i = project.position()->num_done; i < log.scans.size(); ++i) {
-        pace.wait_for(log.scans[i].time_s, [&project] { return project.refine(); });
-        project.add_next(log.scans[i], log.lines[i]);
-        progress.update(i + 1, log.scans.size(),
+    io::skip_to(*source, project.position()->num_done);
+    while (const std::optional<Scan> scan = source->next()) {
+        pace.wait_for(scan->time_s, [&project] { return project.refine(); });
+        project.add_next(*scan, source->place());
+        const std::size_t num_done = source->num_done();
+        progress.update(num_done, facts.num_scans,
                         {"scans", [&] { return num_rooms_text(project.state().num_rooms); }});
-        if (play.every != 0 && (i + 1) % play.every == 0 && project.state().num_rooms > 0) {
+        if (play.every != 0 && num_done % play.every == 0 && project.state().num_rooms > 0) {
             const std::shared_ptr<const Snapshot> building = project.snapshot();
             write(output, *building, building->rooms(), info);
         }
@@ -97,11 +100,11 @@ void run(const Arguments& arguments) {
     project.finish();
     const std::shared_ptr<const Snapshot> building = project.snapshot();
     if (building->map().states.values.empty()) {
-        throw InputError(log.name +
+        throw InputError(facts.name +
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
-    std::vector<std::string> warnings = log.warnings;
+    std::vector<std::string> warnings = facts.warnings;
     for (std::string& warning : warnings_of(*project.position())) {
         warnings.push_back(std::move(warning));
     }

@@ -32,7 +32,7 @@ struct LineLimits {
 /// the longest line allowed.
 class LineReader {
 public:
-    /// `name` stands in messages.
+    /// `name` stands in messages. @pre the first piece has two bytes, if there are as many
     LineReader(Pieces pieces, std::string name, LineLimits limits = {});
     /// @pre `bytes` outlives the reader.
     LineReader(std::string_view bytes, std::string name, LineLimits limits = {})

@@ -224,15 +224,15 @@ FollowUpdate Project::add(const Raster<CellState>& patch) {
     });
 }
 
-std::optional<FollowUpdate> Project::add_next(const Scan& scan, std::optional<std::uint64_t> line) {
+std::optional<FollowUpdate> Project::add_next(const Scan& scan, std::string_view place) {
     return impl_->change([&] {
         std::optional<FollowUpdate> update;
         ScanPosition after = impl_->progress.position.value();
         try {
             update = impl_->add(scan);
         } catch (const InputError& error) {
-            const std::string place = line ? "line " + std::to_string(*line) + ": " : "";
-            if (after.num_left_out++ == 0) after.first_left_out = place + error.what();
+            const std::string where = place.empty() ? "" : std::string(place) + ": ";
+            if (after.num_left_out++ == 0) after.first_left_out = where + error.what();
         }
         ++after.num_done;
         impl_->set_progress({after, false});

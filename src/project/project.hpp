@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "project/access.hpp"
@@ -77,9 +78,9 @@ public:
     /// Sets cells, as Follower::update_cells(); saves as above.
     FollowUpdate add(const Raster<CellState>& patch);
     /// Adds the next scan of its source, and moves the position on. One that cannot be used is left
-    /// out and counted, with its line if it has one: a robot's log goes on. Saves as above.
-    /// @pre there is a position
-    std::optional<FollowUpdate> add_next(const Scan& scan, std::optional<std::uint64_t> line = {});
+    /// out and counted, with its place if that is known ("line 12"): a robot's log goes on. Saves
+    /// as above. @pre there is a position
+    std::optional<FollowUpdate> add_next(const Scan& scan, std::string_view place = {});
     /// Where the source is; saved by the next save.
     void set_position(const std::optional<ScanPosition>& position);
     /// Decides a part of a room again: what idle time is for. False when there is nothing to do.

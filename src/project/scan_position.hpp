@@ -4,11 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
-
-#include "quadcut/map/scan.hpp"
 
 namespace quadcut {
 
@@ -26,8 +23,5 @@ struct ScanPosition {
 
 /// The scans that were left out, if any: one warning.
 [[nodiscard]] std::vector<std::string> warnings_of(const ScanPosition& position);
-
-/// Tells scans with other poses apart; `seed` tells what their log holds.
-[[nodiscard]] std::uint64_t hash_of(std::span<const Scan> scans, std::uint64_t seed);
 
 }  // namespace quadcut

@@ -30,7 +30,9 @@ TEST(FilesOfStrangers, RoomsAreTheFilesOfTheProgram) {
     const ScratchFolder folder;
     const io::test::DrawnFloor floor = io::test::drawn_floor({"#####", "#aab#", "#####"}, 8);
     write_rooms(folder.path(), floor.map, floor.segmentation);
-    EXPECT_EQ(folder.names().size(), formats::result_files().size());
+    EXPECT_EQ(folder.names().size(),
+              formats::files_of(formats::formats_of({formats::Part::rooms, formats::Part::report}))
+                  .size());
 }
 
 TEST(FilesOfStrangers, ScansComeOneByOneInTheirOrder) {

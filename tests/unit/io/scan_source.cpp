@@ -111,7 +111,7 @@ TEST(ScanSource, ReadsFilesAndPipesAlike) {
 }
 
 TEST(ScanSource, LeavesOutWhatIsTooFarAndSaysSoBeforeTheFirstScan) {
-    const auto source = open_log(flaser(1e5, 0) + drive(5) + flaser(1e6, 9));
+    const auto source = open_log(flaser(1e5, 0) + drive(5) + flaser(1e6, 900));
     EXPECT_EQ(source->facts().num_scans, 5U);
     ASSERT_EQ(source->facts().warnings.size(), 1U);
     const std::string& warning = source->facts().warnings[0];
@@ -120,8 +120,6 @@ TEST(ScanSource, LeavesOutWhatIsTooFarAndSaysSoBeforeTheFirstScan) {
     const std::vector<Scan> scans = scans_of(*source);
     ASSERT_EQ(scans.size(), 5U);
     EXPECT_EQ(scans[0].world_from_sensor.x, 0.0);
-    EXPECT_EQ(error_of([] { open_log("FLASER 2 1 1 5e6 9e6 1e300 0 0 0 1 h 1\n"); }).find("x.log"),
-              0U);
 }
 
 TEST(ScanSource, GivesScansThePosesOfAFile) {

@@ -29,7 +29,7 @@ TEST(ScannedMap, IsTheMapOfAllScansAndTheWayOfTheLaser) {
     ASSERT_EQ(made.trajectory.size(), 40U);
     EXPECT_EQ(made.trajectory[39], (Point{39.0, 3.0}));
     const OccupancyMap expected = map_from_scans(parse_carmen_log(log, "x.log").scans, 0.05);
-    EXPECT_EQ(made.map.states, expected.to_grid().states);
+    EXPECT_EQ(made.map.states.values, expected.to_grid().states.values);
     EXPECT_EQ(made.num_leaves, expected.num_leaves());
 }
 

@@ -108,9 +108,9 @@ TEST(Project, AScanThatCannotBeUsedIsLeftOutAndCounted) {
     const std::vector<Scan> scans = scans_in(small_building(3));
     Scan bad = scans[0];
     bad.world_from_sensor.x = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(project.add_next(scans[0], 7));
-    EXPECT_FALSE(project.add_next(bad, 8));
-    EXPECT_FALSE(project.add_next(bad, 9));
+    EXPECT_TRUE(project.add_next(scans[0], "line 7"));
+    EXPECT_FALSE(project.add_next(bad, "line 8"));
+    EXPECT_FALSE(project.add_next(bad, "line 9"));
     EXPECT_EQ(project.position()->num_done, 3U);
     ASSERT_EQ(warnings_of(*project.position()).size(), 1U);
     EXPECT_THAT(warnings_of(*project.position())[0],
