@@ -107,7 +107,7 @@ struct Project::Impl {
 
     /// Lets all know of a change that was made.
     void tell(const FollowUpdate& update) {
-        for (const LifeEvent& event : update.events) events.emplace_back(update.scan, event);
+        for (const RoomEvent& event : update.events) events.emplace_back(update.scan, event);
         bool is_asked_for = false;
         {
             const std::lock_guard lock(mutex);
@@ -154,8 +154,8 @@ struct Project::Impl {
     project::ProjectFile file;
     Follower follower;
     /// What refining did since the last update.
-    std::vector<LifeEvent> refined;
-    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::vector<RoomEvent> refined;
+    std::vector<std::pair<std::size_t, RoomEvent>> events;
     std::size_t num_saved = 0;
     std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
     const std::shared_ptr<project::Growing<std::string>> updates =
@@ -340,6 +340,11 @@ std::shared_ptr<const Snapshot> Project::snapshot(std::uint64_t at_least) const 
 ProjectState Project::state() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->state;
+}
+
+Changes Project::changes_since(std::uint64_t revision) const {
+    const Impl::Turn own(*impl_);
+    return impl_->follower.changes_since(revision);
 }
 
 std::vector<EditRecord> Project::history() const {

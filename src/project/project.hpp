@@ -25,7 +25,7 @@ namespace quadcut {
 
 /// How far a project is.
 struct ProjectState {
-    /// Grows with each change of the map, its rooms or their names; 0 when it was opened.
+    /// Grows by one with each change of the map, its rooms or their names; saved with them.
     std::uint64_t revision = 0;
     std::size_t num_scans = 0;
     std::size_t num_rooms = 0;
@@ -108,6 +108,8 @@ public:
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t at_least = 0) const;
     /// After the last change.
     [[nodiscard]] ProjectState state() const;
+    /// What changed after a revision, as Follower::changes_since(); waits for changes.
+    [[nodiscard]] Changes changes_since(std::uint64_t revision) const;
     /// All edits of people, the first first.
     [[nodiscard]] std::vector<EditRecord> history() const;
     [[nodiscard]] std::optional<ScanPosition> position() const;

@@ -31,7 +31,7 @@ struct Progress {
 struct Unsaved {
     /// Lines of updates.jsonl.
     std::string lines;
-    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::vector<std::pair<std::size_t, RoomEvent>> events;
 };
 
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
