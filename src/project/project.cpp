@@ -196,8 +196,8 @@ void Project::Impl::set_progress(project::Progress now) {
     progress = std::move(now);
 }
 
-void Project::Impl::tell(const std::vector<LifeEvent>& told, std::size_t scan) {
-    for (const LifeEvent& event : told) events.emplace_back(scan, event);
+void Project::Impl::tell(const std::vector<RoomEvent>& told, std::size_t scan) {
+    for (const RoomEvent& event : told) events.emplace_back(scan, event);
     // Also of an update that failed halfway.
     Changes made = follower.changes_since(state.revision);
     bool is_asked_for = false;

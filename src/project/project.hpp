@@ -25,7 +25,7 @@ namespace quadcut {
 
 /// How far a project is.
 struct ProjectState {
-    /// Grows with each change of the map, its rooms or their names; FollowedMap::revision.
+    /// Grows with each change of the map, its rooms or their names; saved with them.
     std::uint64_t revision = 0;
     std::size_t num_scans = 0;
     std::size_t num_rooms = 0;

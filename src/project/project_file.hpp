@@ -33,7 +33,7 @@ struct Unsaved {
     std::vector<Cell> tiles;
     /// Lines of updates.jsonl.
     std::string lines;
-    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::vector<std::pair<std::size_t, RoomEvent>> events;
 };
 
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,

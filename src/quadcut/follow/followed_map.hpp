@@ -15,6 +15,7 @@
 #include "quadcut/follow/room_cells.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/tile.hpp"
+#include "quadcut/rooms/doors.hpp"
 
 namespace quadcut {
 
@@ -50,6 +51,7 @@ struct FollowedMap {
     /// By id.
     std::map<std::uint32_t, FollowedRoom> rooms;
     std::vector<RoomOpening> openings;
+    std::map<DoorId, PlacedDoor> doors;
     std::vector<SplitLine> split_lines;
     /// Holds all tiles that were written, in cells.
     Box written;
