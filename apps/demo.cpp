@@ -3,12 +3,12 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "apps/command.hpp"
-#include "apps/follow_session.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
@@ -18,12 +18,12 @@
 #include "apps/uninterrupted.hpp"
 #include "draw/filmstrip.hpp"
 #include "eval/truth_score.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/format_version.hpp"
 #include "io/number_text.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/stage_clock.hpp"
-#include "quadcut/follow/follower.hpp"
 #include "sim/write.hpp"
 
 namespace quadcut {
@@ -37,15 +37,6 @@ constexpr const char* kFilmstrip = "filmstrip.png";
 constexpr const char* kScore = "score.json";
 constexpr const char* kProject = "building.quadcut";
 
-std::vector<Point> positions(const std::vector<Scan>& scans) {
-    std::vector<Point> points;
-    points.reserve(scans.size());
-    for (const Scan& scan : scans) {
-        points.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
-    }
-    return points;
-}
-
 double length_m(const std::vector<Point>& points) {
     double sum = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
@@ -54,57 +45,43 @@ double length_m(const std::vector<Point>& points) {
 
 std::string percent(double share) { return io::rounded(100.0 * share, 1) + " %"; }
 
-/// What the robot saw, as a map.
-struct RobotMap {
-    GridMap map;
-    std::vector<Point> trajectory;
-};
-
 /// What came of following the robot.
 struct Followed {
-    RobotMap robot;
+    std::shared_ptr<const Snapshot> building;
     Segmentation rooms;
-    std::string updates;
     /// The file of the project.
     std::string project;
     /// At equal distances in time.
     std::vector<draw::Moment> moments;
 };
 
-draw::Moment moment_of(const FollowSession& session, const std::vector<Point>& way) {
-    const std::size_t num_rooms = session.follower().num_rooms();
-    draw::Moment moment{"scan " + std::to_string(session.num_done()) + ", " +
-                            std::to_string(num_rooms) + (num_rooms == 1 ? " room" : " rooms"),
-                        session.follower().map().to_grid(), session.follower().rooms(), way};
-    moment.way.resize(session.num_done());
-    return moment;
+draw::Moment moment_of(const Project& project) {
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    return {"scan " + std::to_string(project.position()->num_done) + ", " +
+                num_rooms_text(building->num_rooms()),
+            building->map(), building->rooms(), building->way()};
 }
 
 Followed follow_scans(const std::vector<Scan>& scans, const FollowOptions& options,
                       const std::string& name, StageClock& clock, Progress& progress) {
     clock.begin("follow");
     Followed followed;
-    followed.robot.trajectory = positions(scans);
-    store::LogPosition position;
-    position.log = name;
-    FollowSession session(options, scans, {},
-                          store::Project::in_memory(kProject, options, position));
-    while (!session.is_done()) {
-        session.add_next();
-        progress.update(session.num_done(), scans.size(),
-                        {"scans", [&session] { return session.story(); }});
+    ScanPosition position;
+    position.source = name;
+    Project project = Project::in_memory(options, position);
+    for (std::size_t i = 1; i <= scans.size(); ++i) {
+        project.add_next(scans[i - 1]);
+        progress.update(i, scans.size(),
+                        {"scans", [&] { return num_rooms_text(project.state().num_rooms); }});
         const std::size_t next = scans.size() * (followed.moments.size() + 1) / kNumMoments;
-        if (session.num_done() == next && !session.is_done()) {
-            followed.moments.push_back(moment_of(session, followed.robot.trajectory));
-        }
+        if (i == next && i < scans.size()) followed.moments.push_back(moment_of(project));
     }
-    session.finish();
-    followed.moments.push_back(moment_of(session, followed.robot.trajectory));
+    project.finish();
+    followed.moments.push_back(moment_of(project));
     clock.begin("doors");
-    followed.robot.map = session.follower().map().to_grid();
-    followed.rooms = session.follower().rooms();
-    followed.updates = session.updates();
-    followed.project = session.project_bytes();
+    followed.building = project.snapshot();
+    followed.rooms = followed.building->rooms();
+    followed.project = project.file_bytes();
     return followed;
 }
 
@@ -126,21 +103,22 @@ void write(io::FileBatch& output, const Simulation& simulation, const Followed& 
     const Uninterrupted uninterrupted;
     sim::add_simulation(output, simulation.building, simulation.options, simulation.exploration,
                         kTruthFolder);
-    add_followed(output, followed.robot.map, followed.rooms, followed.updates, info);
+    add_followed(output, *followed.building, followed.rooms, info);
     output.add(kFilmstrip, draw::render_filmstrip(followed.moments));
     output.add(kScore, score_text(score));
     output.add(kProject, followed.project);
     output.commit();
 }
 
-void print_story(const std::string& folder, const Simulation& simulation, const RobotMap& robot,
-                 const Segmentation& rooms, const eval::RoomScore& score, double elapsed_s) {
+void print_story(const std::string& folder, const Simulation& simulation, const Followed& followed,
+                 const eval::RoomScore& score, double elapsed_s) {
     const sim::Building& building = simulation.building;
-    const Raster<CellState>& cells = robot.map.states;
+    const Raster<CellState>& cells = followed.building->map().states;
+    const Segmentation& rooms = followed.rooms;
     std::cout << "Simulated a furnished building of " << building.rooms.size() << " rooms and "
               << building.doors.size() << " doors (seed " << simulation.options.seed << ").\n"
               << "A robot explored it: " << simulation.exploration.scans.size() << " scans on "
-              << io::rounded(length_m(robot.trajectory), 0) << " m of way, mapped to "
+              << io::rounded(length_m(followed.building->way()), 0) << " m of way, mapped to "
               << cells.width << " x " << cells.height << " cells.\n"
               << "Followed it, and cut the map into " << rooms.rooms.size() << " rooms with "
               << rooms.doors.size() << " doors; all of this took " << io::rounded(elapsed_s, 1)
@@ -163,17 +141,16 @@ void run(const Arguments& arguments) {
 
     clock.begin("simulate");
     const Simulation simulation = simulate(choice, progress);
-    const FollowOptions options;
+    FollowOptions options;
     const std::string name = "simulation, seed " + std::to_string(choice.seed);
     Followed followed = follow_scans(simulation.exploration.scans, options, name, clock, progress);
-    const RobotMap& robot = followed.robot;
     Segmentation& rooms = followed.rooms;
     clock.begin("score");
-    const eval::RoomScore score = score_against_truth(robot.map, rooms, simulation.building);
+    const eval::RoomScore score =
+        score_against_truth(followed.building->map(), rooms, simulation.building);
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
-    SegmentOptions segment_options = options.segment;
-    io::RunInfo info = run_info_of(segment_options);
+    io::RunInfo info = run_info_of(options, {});
     info.input = name;
     write(output, simulation, followed, score, info);
 
@@ -184,7 +161,7 @@ void run(const Arguments& arguments) {
         print_summary({rooms, {}, start, io::display_name(folder), files_of_demo()}, style);
     }
     if (style == SummaryStyle::text) {
-        print_story(io::display_name(folder), simulation, robot, rooms, score, elapsed.count());
+        print_story(io::display_name(folder), simulation, followed, score, elapsed.count());
     }
 }
 

@@ -19,7 +19,8 @@ std::vector<OptionField> device_fields(DeviceKind& kind) {
     return {{"device", "", 0, 0,
              "what makes the graph of the preset paper and checks eigenpairs; auto: a GPU where it "
              "pays; the result does not depend on it",
-             "", Choice{reinterpret_cast<std::uint8_t*>(&kind), {"cpu", "gpu", "auto"}}}};
+             "", Choice{reinterpret_cast<std::uint8_t*>(&kind), {"cpu", "gpu", "auto"}},
+             Decides::run}};
 }
 
 Flag device_flag() {
@@ -27,13 +28,13 @@ Flag device_flag() {
     return flag_of(device_fields(kind)[0], "NAME");
 }
 
-RunDevice::RunDevice(const Arguments& arguments, const SegmentOptions& options)
+RunDevice::RunDevice(const Arguments& arguments, std::size_t num_threads)
     : notes_(std::make_unique<std::vector<std::string>>()) {
     if (const std::optional<std::string> text = arguments.value(kDeviceFlag)) {
         io::set_option(device_fields(kind_), "device", *text);
     }
     accelerator_ = make_accelerator(
-        kind_, static_cast<int>(options.num_threads),
+        kind_, static_cast<int>(num_threads),
         [notes = notes_.get()](const std::string& reason) { notes->push_back(reason); });
 }
 
@@ -45,7 +46,7 @@ void RunDevice::print_notes(const SegmentOptions& options) const {
     for (const std::string& note : *notes_) {
         print_error(start + note + "; the CPU does the work");
     }
-    if (options.preset == Preset::rooms && options.rooms.pieces == PieceSource::basins) {
+    if (options.preset == Preset::rooms) {
         print_error(start + "plays no part in the preset rooms; see --preset paper");
     }
 }

@@ -21,8 +21,8 @@ namespace quadcut {
 /// goes into a report: a result has the same bytes on any device.
 class RunDevice {
 public:
-    /// By --device. The options decide how fast the CPU is.
-    RunDevice(const Arguments& arguments, const SegmentOptions& options);
+    /// By --device; `num_threads` say how fast the CPU is.
+    RunDevice(const Arguments& arguments, std::size_t num_threads);
 
     /// Null for the CPU.
     [[nodiscard]] Accelerator* accelerator() const { return accelerator_.get(); }

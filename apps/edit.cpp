@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,15 +12,13 @@
 #include "apps/command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/numbers.hpp"
-#include "apps/room_choice.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/uninterrupted.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
 #include "io/nearest_word.hpp"
-#include "io/number_text.hpp"
 #include "io/room_list.hpp"
-#include "io/room_name.hpp"
+#include "project/edit_text.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 
@@ -61,129 +59,55 @@ void check_words(const std::vector<std::string>& operands) {
     throw std::logic_error("an action that no form has");
 }
 
-std::string name_of(RoomId room) { return "room " + std::to_string(index(room)); }
-
-std::string text_of(Cell cell, double resolution_m) {
-    std::string text = "(";
-    text += io::with_decimals((cell.x + 0.5) * resolution_m, 2) + ", ";
-    return text + io::with_decimals((cell.y + 0.5) * resolution_m, 2) + ")";
+/// The edit that words ask for.
+Edit edit_of(const std::vector<std::string>& operands, const Project& project) {
+    const std::vector<std::string> words(operands.begin() + 2, operands.end());
+    Edit edit;
+    if (operands[1] == "split") {
+        edit.kind = EditKind::split;
+        edit.from = point_of(words[0], words[1]);
+        edit.to = point_of(words[2], words[3]);
+        return edit;
+    }
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    edit.room = building->find_room(words[0]);
+    if (operands[1] == "rename") edit.name = words[1];
+    if (operands[1] == "merge") {
+        edit.kind = EditKind::merge;
+        edit.other = building->find_room(words[1]);
+    }
+    if (operands[1] == "lock") edit.kind = EditKind::lock;
+    if (operands[1] == "unlock") edit.kind = EditKind::unlock;
+    return edit;
 }
 
-/// What an edit does: "merge room 12 into room 7".
-std::string summary(const store::EditRecord& edit, double resolution_m) {
-    const std::string room = name_of(edit.room);
-    if (edit.kind == "rename") return "rename " + room + " to " + edit.name;
-    if (edit.kind == "merge") return "merge " + name_of(edit.other) + " into " + room;
-    if (edit.kind != "split") return edit.kind + " " + room;
-    return "split " + name_of(edit.other) + " from " + room + " between " +
-           text_of(edit.line.from, resolution_m) + " and " + text_of(edit.line.to, resolution_m);
-}
+/// What was done, and the words that say so.
+struct Done {
+    EditRecord record;
+    std::string story;
+};
 
-std::string_view text_of(store::EditState state) {
-    switch (state) {
-        case store::EditState::undone:
-            return "undone";
-        case store::EditState::dropped:
-            return "undone for good";
-        case store::EditState::done:
-        case store::EditState::fixed:
-            break;
+Done make(const std::vector<std::string>& operands, Project& project) {
+    if (operands[1] == "undo") {
+        const EditRecord undone = project.undo();
+        return {undone, "undone: " + summary_of(undone.edit)};
     }
-    return "";
-}
-
-/// The members of an object that is being written.
-void write_edit(io::JsonWriter& json, const store::EditRecord& edit, double resolution_m) {
-    json.key("number").integer(static_cast<std::uint64_t>(edit.number));
-    json.key("scan").integer(edit.scan);
-    json.key("kind").text(edit.kind);
-    json.key("room").integer(index(edit.room));
-    if (edit.kind == "rename") json.key("name").text(edit.name);
-    if (edit.kind == "merge" || edit.kind == "split") {
-        json.key("other").integer(index(edit.other));
+    if (operands[1] == "redo") {
+        const EditRecord redone = project.redo();
+        return {redone, "made again: " + summary_of(redone.edit)};
     }
-    if (edit.kind == "split") {
-        json.key("line").begin_array();
-        for (const Cell cell : {edit.line.from, edit.line.to}) {
-            json.begin_array();
-            json.number((cell.x + 0.5) * resolution_m).number((cell.y + 0.5) * resolution_m);
-            json.end_array();
-        }
-        json.end_array();
-    }
-    json.key("is_undone").boolean(!text_of(edit.state).empty());
-    json.key("can_be_redone").boolean(edit.state == store::EditState::undone);
+    const EditRecord made = project.edit(edit_of(operands, project));
+    return {made, story_of(made.edit)};
 }
 
 /// The edit, and the rooms and doors that there are after it.
-void print_json(const store::EditRecord& edit, const Segmentation& rooms, double resolution_m) {
+void print_json(const EditRecord& record, const Segmentation& rooms) {
     io::JsonWriter json;
     json.begin_object(io::JsonLayout::lines);
-    write_edit(json, edit, resolution_m);
+    write_edit(json, record);
     io::write_rooms_and_doors(json, rooms);
     json.end_object();
     std::cout << json.finish();
-}
-
-void print_history(const store::Project& project, SummaryStyle style) {
-    const double resolution_m = project.options().resolution_m;
-    const std::vector<store::EditRecord> edits = project.edits();
-    if (style == SummaryStyle::json) {
-        io::JsonWriter json;
-        json.begin_array(io::JsonLayout::lines);
-        for (const store::EditRecord& edit : edits) {
-            json.begin_object();
-            write_edit(json, edit, resolution_m);
-            json.end_object();
-        }
-        json.end_array();
-        std::cout << json.finish();
-        return;
-    }
-    if (edits.empty()) std::cout << "no edits\n";
-    for (const store::EditRecord& edit : edits) {
-        std::cout << edit.number << "  scan " << edit.scan << "  " << summary(edit, resolution_m);
-        if (!text_of(edit.state).empty()) std::cout << "  (" << text_of(edit.state) << ")";
-        std::cout << "\n";
-    }
-}
-
-/// Makes an edit and says what it was.
-store::EditRecord make(const std::vector<std::string>& operands, Follower& follower,
-                       store::Project& project) {
-    const std::vector<std::string> words(operands.begin() + 2, operands.end());
-    store::EditRecord record;
-    record.kind = operands[1];
-    record.scan = follower.num_scans();
-    if (record.kind != "split") record.room = room_of(words[0], follower);
-    Edited edited;
-    if (record.kind == "rename") {
-        edited = follower.rename(record.room, io::trimmed_room_name(words[1]));
-        record.name = follower.followed().at(static_cast<std::uint32_t>(record.room)).name;
-    } else if (record.kind == "merge") {
-        record.other = room_of(words[1], follower);
-        edited = follower.merge(record.room, record.other);
-    } else if (record.kind == "split") {
-        edited = follower.split(point_of(words[0], words[1]), point_of(words[2], words[3]));
-        record.room = edited.inverse.room;
-        record.other = edited.inverse.other;
-        record.line = edited.inverse.lines.front();
-    } else {
-        edited = record.kind == "lock" ? follower.lock(record.room) : follower.unlock(record.room);
-    }
-    project.add(record, edited);
-    record.number = project.edits().back().number;
-    return record;
-}
-
-std::string story_of(const store::EditRecord& edit, double resolution_m) {
-    const std::string room = name_of(edit.room);
-    if (edit.kind == "rename") return room + " is now called " + edit.name;
-    if (edit.kind == "merge") return name_of(edit.other) + " is now part of " + room;
-    if (edit.kind == "lock") return room + " keeps its border";
-    if (edit.kind == "unlock") return room + " changes with what is seen";
-    return name_of(edit.other) + " is now apart from " + room + ", between " +
-           text_of(edit.line.from, resolution_m) + " and " + text_of(edit.line.to, resolution_m);
 }
 
 /// Refuses what holds no edits, with the way to what does.
@@ -202,33 +126,21 @@ void run(const Arguments& arguments) {
     check_words(operands);
     const SummaryStyle style = summary_style_of(arguments);
     if (operands[1] == "history") {
-        print_history(store::Project(operands[0], store::Access::read), style);
+        const std::vector<EditRecord> history = Project::open(operands[0], Access::read).history();
+        std::cout << (style == SummaryStyle::json ? history_json(history) : history_text(history));
         return;
     }
-    store::Project project(operands[0], store::Access::write);
-    const double resolution_m = project.options().resolution_m;
-    Follower follower = project.follower();
-    store::EditRecord edit;
-    std::string story;
-    if (operands[1] == "undo") {
-        edit = project.undo(follower);
-        story = "undone: " + summary(edit, resolution_m);
-    } else if (operands[1] == "redo") {
-        edit = project.redo(follower);
-        story = "made again: " + summary(edit, resolution_m);
-    } else {
-        edit = make(operands, follower, project);
-        story = story_of(edit, resolution_m);
-    }
+    Project project = Project::open(operands[0], Access::write);
+    const Done done = make(operands, project);
     const Uninterrupted uninterrupted;
-    project.save(follower, project.position());
+    project.save();
     if (style == SummaryStyle::json) {
-        print_json(edit, follower.rooms(), resolution_m);
+        print_json(done.record, project.snapshot()->rooms());
         return;
     }
     const std::vector<std::string> anew{"export", operands[0], "-o", "DIR"};
-    std::cout << story << "\nfiles that were written before do not show it: '" << command_line(anew)
-              << "' writes them anew\n";
+    std::cout << done.story << "\nfiles that were written before do not show it: '"
+              << command_line(anew) << "' writes them anew\n";
 }
 
 }  // namespace

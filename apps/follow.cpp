@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,9 +12,7 @@
 
 #include "apps/command.hpp"
 #include "apps/device.hpp"
-#include "apps/follow_session.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/pace.hpp"
@@ -22,11 +21,12 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
-#include "io/map_server.hpp"
-#include "io/no_rooms_in_map.hpp"
+#include "io/scan_source.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -38,80 +38,80 @@ struct PlayChoice {
     double speed = 0.0;
 };
 
-std::vector<OptionField> play_fields(PlayChoice& choice) {
-    std::vector<OptionField> fields;
+void add_fields(PlayChoice& choice, std::vector<OptionField>& fields) {
     fields.push_back({"every", "scans", 0, 1e9, "writes the results so often; 0: at the end", "",
-                      &choice.every});
+                      &choice.every, Decides::run});
     fields.push_back({"speed", "", 0.0, 1e6,
                       "times as fast as the robot was, no wait above 5 s; 0: as fast as it can", "",
-                      &choice.speed});
-    return fields;
+                      &choice.speed, Decides::run});
 }
 
-void write(io::FileBatch& output, const FollowSession& session, const Segmentation& rooms,
+void write(io::FileBatch& output, const Snapshot& building, const Segmentation& rooms,
            const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    add_followed(output, session.follower().map().to_grid(), rooms, session.updates(), info);
+    add_followed(output, building, rooms, info);
     output.commit();
 }
 
-FollowSession begin_session(const Arguments& arguments, const FollowOptions& options,
-                            const PosedLog& log) {
-    const std::optional<std::string> project = arguments.value("--project");
-    if (!project) return {options, log.scans, log.lines};
-    store::LogPosition position;
-    position.log = io::display_name(arguments.operands[0]);
-    position.log_hash = hash_of(log.scans, log.content_hash);
-    return {options, log.scans, log.lines,
-            open_project(*project, options, position, log.scans.size())};
+Project begin_project(const Arguments& arguments, const FollowOptions& options,
+                      const RunOptions& run, const io::SourceFacts& facts) {
+    ScanPosition source;
+    source.source = io::display_name(arguments.operands[0]);
+    source.source_hash = facts.scans_hash;
+    const std::optional<std::string> path = arguments.value("--project");
+    return path ? Project::open_or_create(*path, options, source, run)
+                : Project::in_memory(options, source, run);
 }
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     io::FileBatch output = begin_output(arguments, followed_files());
     FollowOptions options;
-    options.resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    RunOptions run_options;
     PlayChoice play;
-    std::vector<OptionField> fields = option_fields(options.segment);
-    const std::vector<OptionField> more = play_fields(play);
-    fields.insert(fields.end(), more.begin(), more.end());
-    set_fields(arguments, fields);
-    const RunDevice device(arguments, options.segment);
-    options.segment.accelerator = device.accelerator();
+    set_fields(arguments, option_fields(options, run_options, play));
+    const RunDevice device(arguments, run_options.num_threads);
+    run_options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
     clock.begin("read");
-    const PosedLog log =
-        parse_posed_log(read_log(arguments.operands[0]), poses_of(arguments), options.resolution_m);
+    const std::unique_ptr<io::ScanSource> source = io::open_scan_source(
+        open_log(arguments.operands[0]), {poses_of(arguments), options.resolution_m, {}});
+    const io::SourceFacts& facts = source->facts();
 
     clock.begin("follow");
-    io::RunInfo info = run_info_of(options.segment);
+    io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
-    info.input_hash = log.content_hash;
-    FollowSession session = begin_session(arguments, options, log);
-    const Follower& follower = session.follower();
+    info.input_hash = facts.content_hash;
+    Project project = begin_project(arguments, options, run_options, facts);
     Pace pace(play.speed, machine_clock());
-    while (!session.is_done()) {
-        pace.wait_for(session.next().time_s, [&session] { return session.refine(); });
-        session.add_next();
-        progress.update(session.num_done(), log.scans.size(),
-                        {"scans", [&session] { return session.story(); }});
-        if (play.every != 0 && session.num_done() % play.every == 0 && follower.num_rooms() > 0) {
-            write(output, session, follower.rooms(), info);
+    io::skip_to(*source, project.position()->num_done);
+    while (const std::optional<Scan> scan = source->next()) {
+        pace.wait_for(scan->time_s, [&project] { return project.refine(); });
+        project.add_next(*scan, source->place());
+        const std::size_t num_done = source->num_done();
+        progress.update(num_done, facts.num_scans,
+                        {"scans", [&] { return num_rooms_text(project.state().num_rooms); }});
+        if (play.every != 0 && num_done % play.every == 0 && project.state().num_rooms > 0) {
+            const std::shared_ptr<const Snapshot> building = project.snapshot();
+            write(output, *building, building->rooms(), info);
         }
     }
-    session.finish();
-    if (!follower.map().is_placed()) {
-        throw InputError(log.name +
+    project.finish();
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    if (building->map().states.values.empty()) {
+        throw InputError(facts.name +
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
-    std::vector<std::string> warnings = log.warnings;
-    for (std::string& warning : session.warnings()) warnings.push_back(std::move(warning));
-    Segmentation rooms = followed_rooms(follower, options.segment, std::move(warnings));
+    std::vector<std::string> warnings = facts.warnings;
+    for (std::string& warning : warnings_of(*project.position())) {
+        warnings.push_back(std::move(warning));
+    }
+    Segmentation rooms = followed_rooms(*building, options.segment, std::move(warnings));
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
-    write(output, session, rooms, info);
+    write(output, *building, rooms, info);
     progress.wipe();
     print_warnings(rooms.report.warnings);
     if (const auto warning = pace.warning()) print_warnings({*warning});
@@ -123,10 +123,10 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 Command follow_command() {
-    SegmentOptions defaults;
+    FollowOptions defaults;
+    RunOptions run_options;
     PlayChoice play;
-    const std::vector<OptionField> fields = option_fields(defaults);
-    const std::vector<OptionField> more = play_fields(play);
+    const std::vector<OptionField> fields = option_fields(defaults, run_options, play);
     CommandForm form;
     form.name = "follow";
     form.text = "Follows a robot through a laser log (CARMEN): map, rooms and doors, scan by scan.";
@@ -134,21 +134,19 @@ Command follow_command() {
     form.flags = {
         output_flag(),
         force_flag(),
-        resolution_flag(),
-        flag_of(more, "every", "N"),
-        flag_of(more, "speed", "X"),
+        flag_of(fields, "resolution", "M"),
+        flag_of(fields, "every", "N"),
+        flag_of(fields, "speed", "X"),
         poses_flag(),
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
         flag_of(fields, "threads", "N"),
         device_flag(),
-        {std::string(kSetFlag), "", "NAME=VALUE",
-         "any other option ('quadcut options' lists them); may be repeated"},
+        set_flag(),
         json_flag(),
         quiet_flag()};
     form.settings = names_of(fields);
-    for (const std::string& name : names_of(more)) form.settings.push_back(name);
     form.examples = {
         "quadcut follow build/demo/simulation/robot.log -o followed",
         "quadcut follow build/demo/simulation/robot.log -o followed --project home.quadcut"};

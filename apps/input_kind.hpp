@@ -4,23 +4,23 @@
 
 #include <filesystem>
 
-#include "io/file.hpp"
 #include "io/file_kind.hpp"
+#include "io/input.hpp"
 
 namespace quadcut {
 
 /// An input with what it is: a map (YAML or image) or a laser log.
 struct KnownInput {
     io::FileKind kind = io::FileKind::unknown;
-    io::InputFile file;
+    io::Input input;
 };
 
-/// Reads a map or a log once: a file, a pipe or standard input ("-"), plain or gzip. Anything else
+/// Opens a map or a log: a file, a pipe or standard input ("-"), plain or gzip. Anything else
 /// (a bag, a folder, ...) is refused after its first bytes: throws InputError that says what it is,
 /// and how a map or a log is made of it.
-[[nodiscard]] KnownInput read_map_or_log(const std::filesystem::path& path);
+[[nodiscard]] KnownInput open_map_or_log(const std::filesystem::path& path);
 
-/// Reads a log the same way; a map is refused, too.
-[[nodiscard]] io::InputFile read_log(const std::filesystem::path& path);
+/// Opens a log the same way; a map is refused, too.
+[[nodiscard]] io::Input open_log(const std::filesystem::path& path);
 
 }  // namespace quadcut

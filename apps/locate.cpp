@@ -1,105 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apps/command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/numbers.hpp"
-#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "io/json_writer.hpp"
 #include "io/nearest_word.hpp"
 #include "io/number_text.hpp"
-#include "io/previous_result.hpp"
-#include "project/project.hpp"
+#include "project/building_at.hpp"
 #include "quadcut/base/error.hpp"
-#include "quadcut/base/geometry.hpp"
-#include "quadcut/map/line_walk.hpp"
-#include "quadcut/rooms/describe.hpp"
-#include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 namespace {
-
-/// The room that a point is in, or else the nearest one; 0 = there is none.
-struct Place {
-    RoomId room{};
-    std::string name;
-    bool is_inside = false;
-    double distance_m = 0.0;
-};
-
-/// A labelled image, and where it lies.
-struct Floor {
-    Raster<std::uint16_t> labels;
-    std::vector<Room> rooms;
-    Pose map_from_image;
-    double resolution_m = 0.0;
-};
-
-/// How far a point is from the interval at .. at + 1.
-double distance_to_cell(double point, std::int32_t at) {
-    return std::max({0.0, at - point, point - (at + 1.0)});
-}
-
-/// O(cells) outside of rooms.
-Place place_on(const Floor& floor, const Point& point) {
-    const Point in_map = transform(inverse(floor.map_from_image), point);
-    const Point at{in_map.x / floor.resolution_m, in_map.y / floor.resolution_m};
-    const Raster<std::uint16_t>& labels = floor.labels;
-    const auto place = [&](std::uint16_t label, bool is_inside, double distance_m) {
-        const Room& room = floor.rooms[label - std::size_t{1}];
-        return Place{room.id, room.name, is_inside, distance_m};
-    };
-    const bool is_on_map =
-        at.x >= 0.0 && at.y >= 0.0 && at.x < labels.width && at.y < labels.height;
-    if (is_on_map && labels.at(cell_of(at)) != 0) return place(labels.at(cell_of(at)), true, 0.0);
-    double least = std::numeric_limits<double>::infinity();
-    std::uint16_t label = 0;
-    for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == 0) continue;
-        const Cell cell = labels.cell(i);
-        const double far =
-            std::hypot(distance_to_cell(at.x, cell.x), distance_to_cell(at.y, cell.y));
-        if (far >= least) continue;
-        least = far;
-        label = labels.values[i];
-    }
-    return label == 0 ? Place{} : place(label, false, least * floor.resolution_m);
-}
-
-Place locate_in_result(const std::filesystem::path& folder, const Point& point) {
-    io::PreviousResult result = io::read_previous_result(folder);
-    const io::MapKeys& map = result.legend.map_keys;
-    return place_on({std::move(result.labels), std::move(result.legend.rooms), map.map_from_image,
-                     map.resolution_m},
-                    point);
-}
-
-Place locate_in_project(const std::filesystem::path& path, const Point& point) {
-    const store::Project project(path, store::Access::read);
-    const Follower follower = project.follower();
-    const RoomId id = follower.room_at(point);
-    if (id != RoomId{}) {
-        const std::string& name = follower.followed().at(static_cast<std::uint32_t>(id)).name;
-        if (!name.empty()) return {id, name, true, 0.0};
-    }
-    if (follower.num_rooms() == 0) return {};
-    // A default name tells the kind, which goes by all rooms around.
-    Segmentation rooms = follower.rooms();
-    const GridMap map = follower.map().to_grid();
-    return place_on(
-        {std::move(rooms.labels), std::move(rooms.rooms), map.map_from_image, map.resolution_m},
-        point);
-}
 
 void print_as_json(const Place& place) {
     io::JsonWriter json;
@@ -136,8 +53,7 @@ int answer(const Arguments& arguments) {
                          io::did_you_mean({command_line(meant)}));
     }
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
-    const Place place = room_place_of(where) == RoomPlace::folder ? locate_in_result(where, point)
-                                                                  : locate_in_project(where, point);
+    const Place place = building_at(where, Wanted::rooms)->place_of(point);
     if (summary_style_of(arguments) == SummaryStyle::json) {
         print_as_json(place);
     } else {

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <string>
 
 #include "apps/command.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/json_writer.hpp"
 #include "io/map_writer.hpp"
 #include "io/number_text.hpp"
+#include "io/scan_source.hpp"
+#include "io/scanned_map.hpp"
 #include "quadcut/base/stage_clock.hpp"
 
 namespace quadcut {
@@ -38,7 +38,7 @@ struct MapSummary {
     std::string folder;
 };
 
-void print_text(const LogMap& log, const MapSummary& summary) {
+void print_text(const io::ScannedMap& log, const MapSummary& summary) {
     const GridMap& map = log.map;
     std::cout << log.trajectory.size() << " scans, " << map.states.width << " x "
               << map.states.height << " cells of " << io::rounded(map.resolution_m) << " m, "
@@ -47,7 +47,7 @@ void print_text(const LogMap& log, const MapSummary& summary) {
               << files_line(summary.folder, io::map_files());
 }
 
-void print_json(const LogMap& log, const MapSummary& summary) {
+void print_json(const io::ScannedMap& log, const MapSummary& summary) {
     io::JsonWriter json;
     json.begin_object(io::JsonLayout::lines);
     json.key("scans").integer(log.trajectory.size());
@@ -65,12 +65,20 @@ void print_json(const LogMap& log, const MapSummary& summary) {
 
 void run(const Arguments& arguments) {
     io::FileBatch output = begin_output(arguments, io::map_files());
-    const std::optional<double> resolution_m = resolution_of(arguments);
+    IntegrateOptions integrate;
+    set_fields(arguments, option_fields(integrate));
+    const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
 
-    const LogMap log = map_log(read_log(arguments.operands[0]), poses_of(arguments),
-                               resolution_m.value_or(kLogResolution), clock, progress);
+    clock.begin("read");
+    const auto source = io::open_scan_source(open_log(arguments.operands[0]),
+                                             {poses_of(arguments), resolution_m, {}});
+    clock.begin("map");
+    const io::ScannedMap log =
+        io::map_scans(*source, resolution_m, integrate, [&](std::size_t num_done) {
+            progress.update(num_done, source->facts().num_scans, {"scans", {}});
+        });
     clock.begin("write");
     {
         const Uninterrupted uninterrupted;
@@ -82,7 +90,7 @@ void run(const Arguments& arguments) {
     for (const auto& [stage, ms] : clock.finish()) summary.elapsed_ms += ms;
 
     progress.wipe();
-    print_warnings(log.warnings);
+    print_warnings(source->facts().warnings);
     const SummaryStyle style = summary_style_of(arguments);
     if (style == SummaryStyle::text) print_text(log, summary);
     if (style == SummaryStyle::json) print_json(log, summary);
@@ -97,8 +105,10 @@ Command map_command() {
         "Makes a map of a laser log (CARMEN, plain or .gz; '-' is standard input): map.pgm and "
         "map.yaml.";
     form.operands = {"LOG"};
-    form.flags = {output_flag(), force_flag(), resolution_flag(),
-                  poses_flag(),  json_flag(),  quiet_flag()};
+    form.flags = {output_flag(), force_flag(), resolution_flag(), poses_flag(),
+                  set_flag(),    json_flag(),  quiet_flag()};
+    IntegrateOptions defaults;
+    form.settings = names_of(option_fields(defaults));
     form.examples = {"quadcut map build/demo/simulation/robot.log -o map",
                      "quadcut map build/demo/simulation/robot.log -o true_map --poses "
                      "build/demo/simulation/true_poses.tum"};

@@ -9,7 +9,8 @@
 #include "io/authorship.hpp"
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
-#include "io/report.hpp"
+#include "io/input.hpp"
+#include "io/run_info.hpp"
 #include "quadcut/base/error.hpp"
 
 namespace quadcut {

@@ -25,8 +25,8 @@ std::string number_text(double value) {
 
 std::string range_of(const OptionField& field) {
     if (const auto* choice = std::get_if<Choice>(&field.value)) return io::either_of(choice->words);
-    const bool is_count = std::holds_alternative<std::size_t*>(field.value);
-    return (is_count ? "whole, " : "") + number_text(field.low) + " to " + number_text(field.high) +
+    const bool is_whole = !std::holds_alternative<double*>(field.value);
+    return (is_whole ? "whole, " : "") + number_text(field.low) + " to " + number_text(field.high) +
            (field.unit.empty() ? "" : " " + std::string(field.unit));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/options.hpp"
+
+#include "quadcut/follow/options.hpp"
 
 #include <iostream>
 #include <string>
@@ -11,7 +12,7 @@
 #include "apps/device.hpp"
 #include "apps/option_help.hpp"
 #include "io/option_text.hpp"
-#include "quadcut/base/option_field.hpp"
+#include "quadcut/base/run_options.hpp"
 
 namespace quadcut {
 namespace {
@@ -44,19 +45,26 @@ std::string as_markdown(const std::vector<OptionField>& fields, const CommandFor
         "# Options\n\n"
         "Written by `quadcut options --markdown`.\n\n"
         "Most maps need none of them. The two knobs are `door_width` and `granularity`. Options\n"
-        "without a flag of their own are given as `--set name=value`, which may be repeated.\n\n"
-        "| option | command line | default | range | meaning |\n|---|---|---|---|---|\n";
+        "without a flag of their own are given as `--set name=value`, which may be repeated. Those "
+        "of\n"
+        "scans count where a log is read (`map`, `segment`, `follow`), those of following for "
+        "`follow`.\n"
+        "What decides the result is kept in a project file, which goes on with the same.\n\n"
+        "| option | command line | default | range | decides | meaning "
+        "|\n|---|---|---|---|---|---|\n";
     for (const OptionField& field : fields) {
         page += "| `" + std::string(field.name) + "` | `" + usage_of(field, form) + "` | " +
-                io::option_text(field) + " | " + range_of(field) + " | " + meaning_of(field) +
-                " |\n";
+                io::option_text(field) + " | " + range_of(field) + " | " +
+                (field.decides == Decides::result ? "the result" : "the run") + " | " +
+                meaning_of(field) + " |\n";
     }
     return page;
 }
 
 void run(const Arguments& arguments) {
-    SegmentOptions defaults;
-    std::vector<OptionField> fields = option_fields(defaults);
+    FollowOptions defaults;
+    RunOptions run_options;
+    std::vector<OptionField> fields = option_fields(defaults, run_options);
     DeviceKind kind = DeviceKind::cpu;
     for (OptionField& field : device_fields(kind)) fields.push_back(std::move(field));
     std::cout << (arguments.has("--markdown") ? as_markdown(fields, segment_command().form)

@@ -18,7 +18,7 @@ constexpr std::string_view kSmallFlag = "--small";
 std::vector<OptionField> reproduce_fields(reproduce::Options& options) {
     static_assert(std::is_same_v<std::uint64_t, std::size_t>);
     return {{"threads", "", 1, 256, "threads; figures but times do not depend on it", "",
-             &options.num_threads},
+             &options.num_threads, Decides::run},
             {"seed", "", 0, 1e15, "other simulated worlds for each seed", "", &options.seed}};
 }
 

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "apps/command.hpp"
-#include "apps/room_place.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/summary.hpp"
 #include "io/json_writer.hpp"
 #include "io/room_list.hpp"
-#include "io/stored_result.hpp"
-#include "project/project.hpp"
+#include "project/building_at.hpp"
 
 namespace quadcut {
 namespace {
 
 constexpr std::string_view kAllFlag = "--all";
 
-Segmentation rooms_of(const std::filesystem::path& where) {
-    if (room_place_of(where) == RoomPlace::folder) return io::read_stored_result(where).rooms;
-    return store::Project(where, store::Access::read).follower().rooms();
-}
-
 void run(const Arguments& arguments) {
-    const Segmentation rooms = rooms_of(arguments.operands[0]);
+    const std::shared_ptr<const Snapshot> building =
+        building_at(arguments.operands[0], Wanted::rooms_and_doors);
+    const Segmentation& rooms = building->rooms();
     if (summary_style_of(arguments) == SummaryStyle::json) {
         io::JsonWriter json;
         json.begin_object(io::JsonLayout::lines);

@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/file.hpp"
+#include "io/input.hpp"
 #include "io/option_text.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/option_field.hpp"
 
 namespace quadcut {
 namespace {
-
-std::vector<OptionField> resolution_fields(double& resolution_m) {
-    return {{"resolution", "m", 0.001, 10.0, "side of a cell", "", &resolution_m}};
-}
 
 constexpr const char* kFreeFlag = "--free-thresh";
 constexpr const char* kOccupiedFlag = "--occupied-thresh";
@@ -34,8 +30,8 @@ std::optional<double> threshold_of(const Arguments& arguments, std::string_view 
 }  // namespace
 
 Flag resolution_flag() {
-    double resolution_m = kLogResolution;
-    return flag_of(resolution_fields(resolution_m)[0], "M");
+    FollowOptions defaults;
+    return flag_of(option_fields(defaults), "resolution", "M");
 }
 
 std::vector<Flag> grey_flags() {
@@ -59,6 +55,17 @@ Flag poses_flag() {
             "by time stamp or, when they are numbered as in g2o, by number of the scan"};
 }
 
+Flag set_flag() {
+    return {std::string(kSetFlag), "", "NAME=VALUE",
+            "any other option ('quadcut options' lists them); may be repeated"};
+}
+
+bool has_scan_setting(const Arguments& arguments) {
+    return std::any_of(arguments.flags.begin(), arguments.flags.end(), [](const auto& flag) {
+        return flag.first == kSetFlag && flag.second.starts_with("scan.");
+    });
+}
+
 Flag json_flag() { return {"--json", "", "", "print the summary as JSON"}; }
 
 Flag quiet_flag() { return {"--quiet", "", "", "no progress bar and no summary"}; }
@@ -66,9 +73,9 @@ Flag quiet_flag() { return {"--quiet", "", "", "no progress bar and no summary"}
 std::optional<double> resolution_of(const Arguments& arguments) {
     const std::optional<std::string> text = arguments.value("--resolution");
     if (!text) return std::nullopt;
-    double resolution_m = 0.0;
-    io::set_option(resolution_fields(resolution_m), "resolution", *text);
-    return resolution_m;
+    FollowOptions options;
+    io::set_option(option_fields(options), "resolution", *text);
+    return options.resolution_m;
 }
 
 io::MapReadOptions map_read_options_of(const Arguments& arguments) {

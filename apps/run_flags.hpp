@@ -9,6 +9,7 @@
 #include "apps/arguments.hpp"
 #include "apps/progress.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/follow/options.hpp"
 
 namespace quadcut {
 
@@ -19,6 +20,10 @@ namespace quadcut {
 [[nodiscard]] std::vector<Flag> grey_flags();
 [[nodiscard]] bool has_grey_flag(const Arguments& arguments);
 [[nodiscard]] Flag poses_flag();
+/// `--set NAME=VALUE`.
+[[nodiscard]] Flag set_flag();
+/// Whether an option of scans was set.
+[[nodiscard]] bool has_scan_setting(const Arguments& arguments);
 [[nodiscard]] Flag json_flag();
 [[nodiscard]] Flag quiet_flag();
 
@@ -35,6 +40,6 @@ enum class SummaryStyle : std::uint8_t { none, text, json };
 [[nodiscard]] SummaryStyle summary_style_of(const Arguments& arguments);
 
 /// The resolution of maps made from scans when none is given.
-inline constexpr double kLogResolution = 0.05;
+inline constexpr double kLogResolution = FollowOptions{}.resolution_m;
 
 }  // namespace quadcut

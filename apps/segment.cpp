@@ -13,7 +13,6 @@
 #include "apps/command.hpp"
 #include "apps/device.hpp"
 #include "apps/input_kind.hpp"
-#include "apps/log_map.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/progress.hpp"
@@ -21,14 +20,16 @@
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/file.hpp"
 #include "io/map_server.hpp"
-#include "io/map_writer.hpp"
 #include "io/no_rooms.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "io/poses.hpp"
 #include "io/previous_result.hpp"
+#include "io/scan_source.hpp"
+#include "io/scanned_map.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -51,15 +52,22 @@ struct Input {
     bool is_log = false;
 };
 
-Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& clock,
-                   Progress& progress) {
-    LogMap log = map_log(std::move(file), poses_of(arguments),
-                         resolution_of(arguments).value_or(kLogResolution), clock, progress);
+Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
+                   StageClock& clock, Progress& progress) {
+    const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
+    const auto source =
+        io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
+    const io::SourceFacts& facts = source->facts();
+    clock.begin("map");
+    io::ScannedMap scanned =
+        io::map_scans(*source, resolution_m, integrate, [&](std::size_t num_done) {
+            progress.update(num_done, facts.num_scans, {"scans", {}});
+        });
     Input input;
-    input.map = std::move(log.map);
-    input.trajectory = std::move(log.trajectory);
-    input.warnings = std::move(log.warnings);
-    input.content_hash = log.content_hash;
+    input.map = std::move(scanned.map);
+    input.trajectory = std::move(scanned.trajectory);
+    input.warnings = facts.warnings;
+    input.content_hash = facts.content_hash;
     input.is_log = true;
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(
@@ -68,16 +76,20 @@ Input input_of_log(const Arguments& arguments, io::InputFile file, StageClock& c
     return input;
 }
 
-Input input_of_map(const Arguments& arguments, io::InputFile bytes, io::FileBatch& output) {
-    io::MapFile file = io::parse_map(std::move(bytes), map_read_options_of(arguments));
+Input input_of_map(const Arguments& arguments, io::Input bytes,
+                   const std::vector<std::string>& files, io::FileBatch& output) {
+    io::MapFile file = io::parse_map(std::move(bytes).read_all(), map_read_options_of(arguments));
     output.protect(file.image_path);
-    output.require_free(formats::result_files());
+    output.require_free(files);
     Input input;
     input.why_no_rooms = io::why_no_rooms(file.greys, file.keys);
     input.map = std::move(file.map);
     input.keys = std::move(file.keys);
     input.warnings = std::move(file.warnings);
     input.content_hash = file.content_hash;
+    if (has_scan_setting(arguments)) {
+        input.warnings.emplace_back("options of scans play no part for a map");
+    }
     if (const auto poses = poses_of(arguments)) {
         for (const io::TimedPose& pose : io::read_poses(*poses)) {
             input.trajectory.push_back({pose.pose.x, pose.pose.y});
@@ -110,20 +122,19 @@ void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
     }
 }
 
-void write(io::FileBatch& output, const Input& input, const Segmentation& rooms,
-           const io::RunInfo& info) {
+void write(io::FileBatch& output, const formats::Formats& formats, const Input& input,
+           const Segmentation& rooms, const io::RunInfo& info) {
     const Uninterrupted uninterrupted;
-    if (input.is_log) io::add_map(output, input.map);
-    formats::add_results(output, input.map, rooms, info);
+    formats::add_files(output, formats, {input.map, rooms, info});
     output.commit();
 }
 
 /// What the run will write: the map, too, when it is made of a log.
-std::vector<std::string> files_of(io::FileKind kind) {
-    std::vector<std::string> files = formats::result_files();
-    if (kind != io::FileKind::laser_log) return files;
-    for (std::string& file : io::map_files()) files.push_back(std::move(file));
-    return files;
+formats::Formats formats_for(io::FileKind kind) {
+    using formats::Part;
+    return kind == io::FileKind::laser_log
+               ? formats::formats_of({Part::rooms, Part::report, Part::map})
+               : formats::formats_of({Part::rooms, Part::report});
 }
 
 /// The result whose ids and names are kept; read first, since the new one may take its place.
@@ -152,29 +163,32 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
-    SegmentOptions options;
-    const std::vector<OptionField> fields = option_fields(options);
-    set_fields(arguments, fields);
+    FollowOptions all_options;
+    SegmentOptions& options = all_options.segment;
+    RunOptions run_options;
+    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
-    const RunDevice device(arguments, options);
-    options.accelerator = device.accelerator();
+    const RunDevice device(arguments, run_options.num_threads);
+    run_options.accelerator = device.accelerator();
     Progress progress(progress_style_of(arguments));
     StageClock clock([&progress](std::string_view stage) { progress.begin(stage); });
+    run_options.on_stage = [&clock](std::string_view stage) { clock.begin(stage); };
 
     clock.begin("read");
-    KnownInput known = read_map_or_log(arguments.operands[0]);
-    const std::vector<std::string> files = files_of(known.kind);
+    KnownInput known = open_map_or_log(arguments.operands[0]);
+    const formats::Formats formats = formats_for(known.kind);
+    const std::vector<std::string> files = formats::files_of(formats);
     io::FileBatch output = begin_output(arguments, files);
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.file), clock, progress)
-                      : input_of_map(arguments, std::move(known.file), output);
+                      ? input_of_log(arguments, std::move(known.input), all_options.integrate,
+                                     clock, progress)
+                      : input_of_map(arguments, std::move(known.input), files, output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
-    io::RunInfo info = run_info_of(options);
-    Segmentation rooms = segment(input.map, options, input.trajectory,
-                                 [&clock](std::string_view stage) { clock.begin(stage); });
+    io::RunInfo info = run_info_of(all_options, run_options);
+    Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
         if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);
@@ -190,7 +204,7 @@ void run(const Arguments& arguments) {
     info.input = arguments.operands[0];
     info.input_hash = input.content_hash;
     info.map_keys = input.keys;
-    write(output, input, rooms, info);
+    write(output, formats, input, rooms, info);
 
     progress.wipe();
     print_warnings(rooms.report.warnings);
@@ -203,7 +217,9 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
-    const std::vector<OptionField> fields = option_fields(defaults);
+    IntegrateOptions integrate;
+    RunOptions run_options;
+    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =
@@ -225,8 +241,7 @@ Command segment_command() {
                    "may be the folder of -o"},
                   flag_of(fields, "threads", "N"),
                   device_flag(),
-                  {std::string(kSetFlag), "", "NAME=VALUE",
-                   "any other option ('quadcut options' lists them); may be repeated"},
+                  set_flag(),
                   json_flag(),
                   quiet_flag()};
     form.settings = names_of(fields);

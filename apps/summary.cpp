@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "apps/summary.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -39,9 +40,9 @@ void print_text(const RunSummary& run) {
         std::cout << "\n" << io::room_table(rooms, kTerminalTable) << "\n";
     }
     std::cout << files_line(run.folder, run.files);
-    if (is_for_people()) {
-        const std::filesystem::path folder = run.folder;
-        std::cout << "open " << (folder / "rooms.svg").string() << "\n";
+    const auto plan = std::find(run.files.begin(), run.files.end(), "rooms.svg");
+    if (is_for_people() && plan != run.files.end()) {
+        std::cout << "open " << (std::filesystem::path(run.folder) / *plan).string() << "\n";
     }
 }
 

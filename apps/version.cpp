@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/version.hpp"
+
 #include <iostream>
 
 #include "apps/command.hpp"
@@ -11,7 +13,7 @@ Command version_command() {
     form.name = "version";
     form.text = "Prints the version.";
     form.examples = {"quadcut version", "quadcut --version"};
-    return {form, [](const Arguments&) { std::cout << "quadcut " QUADCUT_VERSION "\n"; }};
+    return {form, [](const Arguments&) { std::cout << "quadcut " << kVersion << '\n'; }};
 }
 
 }  // namespace quadcut

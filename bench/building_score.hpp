@@ -16,6 +16,7 @@
 #include "bench/door_score.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // All that is measured on one simulated building.
@@ -97,9 +98,7 @@ inline std::size_t count_in_shafts(const MappedBuilding& mapped, const Segmentat
 /// Draws the building, maps it, cuts the map into rooms by the defaults, and scores them.
 inline CaseResult measure(const BuildingCase& chosen) {
     const MappedBuilding mapped = map_building(chosen);
-    SegmentOptions options;
-    options.num_threads = 1;
-    const Segmentation found = segment(mapped.map, options, mapped.trajectory);
+    const Segmentation found = segment(mapped.map, {}, RunOptions{1}, mapped.trajectory);
     CaseResult result;
     result.chosen = chosen;
     const io::LabelImage truth = as_label_image(mapped.truth);

@@ -17,6 +17,7 @@
 #include "bench/id_switches.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/kd_tree.hpp"
@@ -35,8 +36,9 @@ struct Agreement {
 };
 
 inline Agreement compare_with_batch(const Follower& follower, std::span<const Point> way,
-                                    const SegmentOptions& options = {}) {
-    const Segmentation batch = segment(follower.map().to_grid(), options, way);
+                                    const SegmentOptions& options = {},
+                                    const RunOptions& run = {}) {
+    const Segmentation batch = segment(follower.map().to_grid(), options, run, way);
     const Segmentation followed = follower.rooms();
     const eval::RoomScore score =
         eval::score_rooms(as_label_image(followed.labels), as_label_image(batch.labels));
@@ -109,24 +111,24 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
         }
         if ((i + 1) % kWindow == 0) {
             const std::size_t switches =
-                count_id_switches(then, follower.room_cells(), follower.map().written_tiles());
+                count_id_switches(then, follower.state().cells, follower.map().written_tiles());
             result.num_switches += switches;
             result.switches.points.push_back({at, static_cast<double>(switches)});
-            then = follower.room_cells();
+            then = follower.state().cells;
         }
         if ((i + 1) * 10 >= (result.tenths.size() + 1) * scans.size() && result.tenths.size() < 9) {
-            result.tenths.push_back(compare_with_batch(follower, way, options.segment));
+            result.tenths.push_back(compare_with_batch(follower, way));
             result.batch_nodes.points.push_back(
                 {at, static_cast<double>(result.tenths.back().batch_nodes)});
             std::fprintf(stderr, "  %zu/10: PQ %.1f\n", result.tenths.size(),
                          result.tenths.back().pq);
         }
     }
-    result.at_end = compare_with_batch(follower, way, options.segment);
+    result.at_end = compare_with_batch(follower, way);
     result.batch_nodes.points.push_back(
         {static_cast<double>(scans.size()), static_cast<double>(result.at_end.batch_nodes)});
     follower.finish();
-    result.finished = compare_with_batch(follower, way, options.segment);
+    result.finished = compare_with_batch(follower, way);
     result.mapped_m2 = known_m2(follower.map());
     if (!scans.empty()) result.log_s = scans.back().time_s - scans.front().time_s;
     return result;

@@ -17,13 +17,11 @@
 #include "bench/result_file.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
 namespace {
-
-/// Gives about as many pieces as 0.8 / m^2 does by area.
-constexpr double kDegreeEigenvalue = 0.08;
 
 struct Variant {
     std::string ingredient;
@@ -31,33 +29,10 @@ struct Variant {
     std::function<void(SegmentOptions&)> change;
 };
 
-/// The spectral cut in front, and one thing about it changed. Pieces have about 16 m^2 at 0.8 /
-/// m^2.
-Variant spectral(const std::string& ingredient, const std::string& name,
-                 const std::function<void(RoomsOptions&)>& change) {
-    return {ingredient, name, [change](SegmentOptions& options) {
-                options.rooms.pieces = PieceSource::spectral;
-                change(options.rooms);
-            }};
-}
-
 std::vector<Variant> variants() {
-    std::vector<Variant> all{
-        {"", "as it is", [](SegmentOptions&) {}},
-        spectral("pieces", "spectral, snapped to basins", [](RoomsOptions&) {}),
-        spectral("over-cut", "spectral, pieces twice as large",
-                 [](RoomsOptions& rooms) { rooms.max_eigenvalue_per_m2 = 0.4; }),
-        spectral("over-cut", "spectral, pieces a quarter as large",
-                 [](RoomsOptions& rooms) { rooms.max_eigenvalue_per_m2 = 3.2; }),
-        spectral("edge weight", "spectral, length of border only",
-                 [](RoomsOptions& rooms) { rooms.full_clearance_m = 0.01; }),
-        spectral("normalisation", "spectral, by degree", [](RoomsOptions& rooms) {
-            rooms.laplacian = LaplacianKind::degree;
-            rooms.max_eigenvalue_per_m2 = kDegreeEigenvalue;
-        })};
-    all.push_back({"furniture", "every obstacle counts",
-                   [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }});
-    return all;
+    return {{"", "as it is", [](SegmentOptions&) {}},
+            {"furniture", "every obstacle counts",
+             [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }}};
 }
 
 struct Score {
@@ -69,9 +44,8 @@ Score try_variant(const Variant& variant, const GridMap& map, std::span<const Po
                   const io::LabelImage& truth) {
     SegmentOptions options;
     variant.change(options);
-    options.num_threads = 1;
     const auto start = std::chrono::steady_clock::now();
-    const Segmentation rooms = segment(map, options, trajectory);
+    const Segmentation rooms = segment(map, options, RunOptions{1}, trajectory);
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     return {eval::score_rooms(as_label_image(rooms.labels), truth).pq, elapsed.count()};

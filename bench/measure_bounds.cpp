@@ -65,6 +65,12 @@ std::string log_along(double x_m, double y_m) {
     return log;
 }
 
+std::string repeated(const std::string& log, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += log;
+    return all;
+}
+
 struct Cost {
     double cpu_ms = std::numeric_limits<double>::infinity();
     double peak_bytes = std::numeric_limits<double>::infinity();
@@ -96,6 +102,7 @@ Json measure_logs(const fs::path& folder) {
         {"one of 31 poses on a diagonal of 2 km", log_with(15, 1414.0, 1414.0), plain},
         {"30 scans along a diagonal of 2 km (along x)", log_along(1414.0, 1414.0),
          log_along(2000.0, 0.0)},
+        {"6000 scans of a room (1500)", repeated(plain, 200), repeated(plain, 50)},
     };
     Json rows = Json::array();
     for (const Case& one : cases) {

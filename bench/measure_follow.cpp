@@ -25,7 +25,7 @@
 #include "eval/labels.hpp"
 #include "io/carmen.hpp"
 #include "io/file.hpp"
-#include "project/project.hpp"
+#include "project/project_file.hpp"
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
@@ -223,8 +223,8 @@ double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
     Raster<std::uint32_t> a(box);
     Raster<std::uint32_t> b(box);
     for (std::size_t i = 0; i < a.values.size(); ++i) {
-        a.values[i] = one.room_cells().room(a.cell(i));
-        b.values[i] = other.room_cells().room(b.cell(i));
+        a.values[i] = one.state().cells.room(a.cell(i));
+        b.values[i] = other.state().cells.room(b.cell(i));
     }
     return 100.0 * eval::score_rooms(as_label_image(a), as_label_image(b)).pq;
 }
@@ -239,15 +239,14 @@ void follow_buildings(std::size_t count, Json& rows) {
     const std::vector<Result> results = run_cases<Result>(count, [&](std::size_t i) {
         const BuildingCase chosen = building_case(i);
         const std::vector<Scan> scans = scans_of(chosen, building_of(chosen));
-        FollowOptions follow;
-        follow.segment.num_threads = 1;
-        Follower follower(follow);
+        const RunOptions run{1};
+        Follower follower({}, run);
         std::vector<Point> way;
         for (const Scan& scan : scans) {
             follower.add_scan(scan);
             way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        Result result{compare_with_batch(follower, way, follow.segment)};
+        Result result{compare_with_batch(follower, way, {}, run)};
         if (chosen.num_rooms <= kMaxShuffledRooms)
             result.shuffled_pq = pq_in_another_order(scans, i);
         return result;
@@ -340,9 +339,9 @@ void kill_often(std::size_t count, Json& rows) {
             ++num_kills;
             if (!std::filesystem::exists(folder / "p")) continue;
             try {
-                const store::Project project(folder / "p", store::Access::read);
-                if (project.integrity() != "ok") ++num_damaged;
-                static_cast<void>(project.follower());
+                const project::ProjectFile file(folder / "p", Access::read);
+                if (file.integrity() != "ok") ++num_damaged;
+                static_cast<void>(file.follower({}));
             } catch (const std::exception& error) {
                 std::printf("  %s\n", error.what());
                 ++num_damaged;

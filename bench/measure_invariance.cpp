@@ -19,6 +19,7 @@
 #include "bench/result_file.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -63,11 +64,7 @@ struct CaseResult {
     std::size_t num_rooms = 0;
 };
 
-Segmentation rooms_of(const GridMap& map) {
-    SegmentOptions options;
-    options.num_threads = 1;
-    return segment(map, options);
-}
+Segmentation rooms_of(const GridMap& map) { return segment(map, {}, RunOptions{1}); }
 
 CaseResult measure(const DataMap& input, const Change& change,
                    const Raster<std::uint16_t>& unchanged_rooms) {

@@ -28,7 +28,7 @@
 #include "io/map_server.hpp"
 #include "opencl/accelerator.hpp"
 #include "opencl/roofline.hpp"
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/spectral/laplacian.hpp"
 #include "reproduce/timing.hpp"

@@ -18,6 +18,7 @@
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
 #include "quadcut/map/integrate.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -58,7 +59,7 @@ Run timed_segment(const GridMap& map, const Method& method, std::size_t num_true
     options.preset = method.preset;
     if (method.is_told_the_number) options.paper.num_submaps = num_true_rooms;
     const auto start = std::chrono::steady_clock::now();
-    Run run{segment(map, options, trajectory), 0.0};
+    Run run{segment(map, options, {}, trajectory), 0.0};
     run.elapsed_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return run;

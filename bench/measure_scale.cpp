@@ -25,6 +25,7 @@
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -108,8 +109,7 @@ Json measure(const Input& input, int draw) {
     row["free_cells"] =
         std::count(map.states.values.begin(), map.states.values.end(), CellState::free);
     row["read_peak_mib"] = own_mib("VmHWM");
-    SegmentOptions options;
-    options.num_threads = kNumThreads;
+    const RunOptions run_options{kNumThreads};
     double segment_ms = std::numeric_limits<double>::infinity();
     double segment_cpu_ms = segment_ms;
     Yardstick transform;
@@ -121,7 +121,7 @@ Json measure(const Input& input, int draw) {
         {
             Segmentation rooms;
             const double before_cpu_ms = cpu_ms();
-            const double elapsed_ms = timed_ms([&] { rooms = segment(map, options); });
+            const double elapsed_ms = timed_ms([&] { rooms = segment(map, {}, run_options); });
             segment_cpu_ms = std::min(segment_cpu_ms, cpu_ms() - before_cpu_ms);
             sum_ms += elapsed_ms;
             if (run == 0) {

@@ -17,6 +17,7 @@
 #include "bench/distance_transform.hpp"
 #include "bench/result_file.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -49,8 +50,7 @@ Timing time_map(const std::string& name, const GridMap& map) {
     timing.map = name;
     timing.num_cells = map.states.values.size();
     const cv::Mat image = free_image(map);
-    SegmentOptions options;
-    options.num_threads = kNumThreads;
+    const RunOptions run_options{kNumThreads};
     cv::Mat distances;
     for (int run = 0; run < kRuns; ++run) {
         const double start_cpu_ms = cpu_ms();
@@ -59,7 +59,7 @@ Timing time_map(const std::string& name, const GridMap& map) {
         const double between_cpu_ms = cpu_ms();
         timing.transform_cpu_ms = std::min(timing.transform_cpu_ms, between_cpu_ms - start_cpu_ms);
         Segmentation rooms;
-        const double elapsed_ms = timed_ms([&] { rooms = segment(map, options); });
+        const double elapsed_ms = timed_ms([&] { rooms = segment(map, {}, run_options); });
         timing.segment_cpu_ms = std::min(timing.segment_cpu_ms, cpu_ms() - between_cpu_ms);
         if (elapsed_ms >= timing.segment_ms) continue;
         timing.segment_ms = elapsed_ms;

@@ -19,6 +19,7 @@
 #include "bench/own_process.hpp"
 #include "bench/power_fit.hpp"
 #include "bench/result_file.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
@@ -56,7 +57,6 @@ Json measure(const Method& method, int num_rooms) {
         std::count(map.states.values.begin(), map.states.values.end(), CellState::free);
     SegmentOptions options;
     options.preset = method.preset;
-    options.num_threads = 1;
     if (method.is_told_the_number) {
         options.paper.num_submaps = static_cast<std::size_t>(num_rooms);
     }
@@ -70,10 +70,12 @@ Json measure(const Method& method, int num_rooms) {
             if (!stages_ms.empty()) stages_ms.back().second = now_ms - since_ms;
             since_ms = now_ms;
         };
-        const Segmentation result = segment(map, options, {}, [&](std::string_view stage) {
+        RunOptions run_options{1};
+        run_options.on_stage = [&](std::string_view stage) {
             note_end();
             stages_ms.emplace_back(stage, 0.0);
-        });
+        };
+        const Segmentation result = segment(map, options, run_options);
         note_end();
         if (run == 0) {
             row["rooms"] = result.rooms.size();

@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 MARK = re.compile(r"(<!-- bench:([\w-]+) -->\n)(.*?)(<!-- /bench:\2 -->)", re.DOTALL)
-PAGES = ("README.md", "docs/results.md")
+PAGES = ("README.md", "docs/results.md", "docs/api.md")
 KINDS = ("plain", "furnished", "kth")
 DASH = "–"
 
@@ -349,7 +349,9 @@ def peers(files: dict, old: str) -> str | None:
                  f"{1e-9 * row['read_bytes_per_s']:.1f}",
                  f"{100 * row['product_bytes'] / (1e-3 * row['product_ms']) / row['read_bytes_per_s']:.0f} %"]
                 for row in of("product")]
-    return (table(["cut into 256", "by", "wall s", "CPU s", "normalised cut"], cuts) + "\n"
+    # Of results up to commit 67dd59b, the last one with a cut by levels.
+    of_cuts = table(["cut into 256", "by", "wall s", "CPU s", "normalised cut"], cuts) + "\n" if cuts else ""
+    return (of_cuts
             + table(["16 eigenpairs", "by", "wall s", "CPU s", "residual"], pairs) + "\n"
             + table(["sparse product", "threads", "ms", "GB/s", "GB/s of a sum", "share"], products)
             + source(files["peers"]))
@@ -396,10 +398,22 @@ def follow(files: dict, old: str) -> str | None:
     return table(["", *(row["input"] for row in logs)], lines) + source(files["follow"])
 
 
+def headers(files: dict, old: str) -> str | None:
+    del old
+    if "headers" not in files:
+        return None
+    lines = [[f"`{row['header']}`", str(row["num_headers"]), f"{row['standard_ms']:.0f}",
+              f"{row['compile_ms']:.0f}", f"{row['compile_ms'] - row['standard_ms']:.0f}"]
+             for row in files["headers"]["rows"]]
+    return (table(["header", "headers of quadcut", "standard ms", "with it ms", "more ms"], lines)
+            + source(files["headers"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
-          "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow}
+          "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
+          "headers": headers}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

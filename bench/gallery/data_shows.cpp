@@ -13,6 +13,7 @@
 #include "io/map_server.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut::gallery {
@@ -63,7 +64,7 @@ Section show_logs(const fs::path& data, const fs::path& output) {
         for (const Scan& scan : log.scans) {
             trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
         }
-        const Segmentation rooms = segment(map, {}, trajectory);
+        const Segmentation rooms = segment(map, {}, {}, trajectory);
         const std::string note = std::to_string(log.scans.size()) + " scans";
         const std::string image = "logs/" + name + ".png";
         // intel_robotlaser is in another frame than the truth.

@@ -10,8 +10,10 @@
 #include "bench/gallery/entry_picture.hpp"
 #include "bench/gallery/montage.hpp"
 #include "bench/gallery/shows.hpp"
+#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "sim/building.hpp"
 #include "sim/robot.hpp"
@@ -67,7 +69,7 @@ Side explored(const sim::Building& building, std::uint64_t seed) {
     }
     Side side;
     side.map = map_from_scans(exploration.scans, kLogResolution).to_grid();
-    side.rooms = segment(side.map, {}, trajectory);
+    side.rooms = segment(side.map, {}, {}, trajectory);
     return side;
 }
 

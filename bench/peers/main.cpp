@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 
 // The spectral stage beside its peers, on the border graphs of simulated buildings: 16 eigenpairs
-// (SciPy's ARPACK, scikit-learn, Spectra), a cut into 256 parts (METIS), and the sparse product
-// beside the memory's bandwidth.
+// (SciPy's ARPACK, scikit-learn, Spectra), and the sparse product beside the memory's bandwidth.
 //
 //   peers [-o FILE.json] [--limit SECONDS] [NODES ...]
 //
@@ -25,19 +24,16 @@
 
 #include "bench/peers/bandwidth.hpp"
 #include "bench/peers/eigen_peers.hpp"
-#include "bench/peers/metis_cut.hpp"
 #include "bench/peers/plan_graph.hpp"
 #include "bench/result_file.hpp"
 #include "io/file.hpp"
-#include "quadcut/spectral/multilevel.hpp"
+#include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut::peers {
 namespace {
 
 constexpr std::size_t kNumPairs = 16;
-constexpr std::size_t kNumParts = 256;
 constexpr LaplacianKind kKind = LaplacianKind::degree;
-constexpr int kCutRounds = 5;
 /// scikit-learn takes minutes at 10^5 nodes, and hours at 10^6.
 constexpr std::size_t kMostForSklearn = 300000;
 
@@ -132,39 +128,6 @@ Json compare_eigenpairs(const Graph& graph, int limit_s) {
     return json;
 }
 
-Json compare_cuts(const Graph& graph) {
-    std::printf(
-        "\n| cut into %zu | wall s | CPU s | normalised cut |\n"
-        "|---|---|---|---|\n",
-        kNumParts);
-    Json json = Json::array();
-    const auto add = [&](const std::string& name, const Duration& time,
-                         const std::vector<std::uint32_t>& part_of_node) {
-        const double cost = normalised_cut(graph, kKind, part_of_node);
-        std::printf("| %s | %.3f | %.3f | %.4f |\n", name.c_str(), time.wall_s, time.cpu_s, cost);
-        Json row{{"solver", name}, {"normalised_cut", cost}};
-        row.update(to_json(time));
-        json.push_back(row);
-    };
-    std::vector<std::uint32_t> ours;
-    const Duration time =
-        shortest(kCutRounds, [&] { ours = cut_multilevel(graph, kKind, kNumParts); });
-    add("quadcut", time, ours);
-    for (const bool balances_weight : {false, true}) {
-        for (const int imbalance : {30, 300, 1000}) {
-            MetisOptions options;
-            options.num_parts = static_cast<int>(kNumParts);
-            options.balances_weight = balances_weight;
-            options.imbalance = imbalance;
-            const MetisCut cut = cut_with_metis(graph, options);
-            add(std::string("METIS k-way, equal ") + (balances_weight ? "weights" : "nodes") +
-                    " to " + std::to_string(imbalance) + " / 1000",
-                cut.time, cut.part_of_node);
-        }
-    }
-    return json;
-}
-
 Json compare_product(const Graph& graph) {
     const Laplacian laplacian(graph, kKind);
     std::printf(
@@ -223,7 +186,6 @@ int run(const Arguments& arguments) {
                   {"num_entries", graph.columns.size()},
                   {"num_rooms", size.num_rooms},
                   {"resolution_m", size.resolution_m}};
-        json["cut"] = compare_cuts(graph);
         if (size.num_nodes >= 1000000) json["product"] = compare_product(graph);
         json["eigenpairs"] = compare_eigenpairs(graph, arguments.limit_s);
         for (const auto& [kind, rows] : json.items()) {

@@ -2,31 +2,16 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "bench/peers/plan_graph.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
 
-#include "quadcut/map/free_leaves.hpp"
-#include "quadcut/rooms/border_edges.hpp"
+#include "bench/border_graph.hpp"
 #include "sim/building.hpp"
 
 namespace quadcut::peers {
 namespace {
-
-Graph largest_component(const Graph& graph) {
-    const auto component = connected_components(graph);
-    std::vector<std::vector<std::uint32_t>> nodes;
-    for (std::uint32_t i = 0; i < component.size(); ++i) {
-        if (component[i] >= nodes.size()) nodes.resize(component[i] + std::size_t{1});
-        nodes[component[i]].push_back(i);
-    }
-    const auto largest =
-        std::max_element(nodes.begin(), nodes.end(),
-                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    return induced_subgraph(graph, *largest);
-}
 
 template <typename T>
 void write_all(std::ofstream& file, const std::vector<T>& values) {
@@ -40,11 +25,7 @@ Graph plan_graph(int num_rooms, double resolution_m) {
     sim::BuildingOptions options;
     options.num_rooms = num_rooms;
     options.resolution_m = resolution_m;
-    const GridMap map = sim::generate_building(options).map;
-    const FreeLeaves leaves = free_leaves(map);
-    return largest_component(
-        build_graph(border_edges(leaves.table, leaves.nodes),
-                    leaf_areas_m2(leaves.table, leaves.nodes, map.resolution_m)));
+    return border_graph(sim::generate_building(options).map);
 }
 
 void write_graph(const Graph& graph, const std::filesystem::path& path) {

@@ -37,8 +37,8 @@ bool is_message_name(std::string_view text) {
 }
 
 /// Whether any laser line of the log states a pose.
-bool find_posed_lines(std::string_view bytes, const std::string& name) {
-    LineReader lines(bytes, name);
+bool find_posed_lines(const OpenPieces& open, const std::string& name) {
+    LineReader lines(open(), name);
     while (const std::optional<Line> line = lines.next()) {
         const std::optional<LaserName> laser = find_laser(Fields(line->text).next());
         if (laser && laser->kind != LaserKind::raw) return true;
@@ -65,8 +65,8 @@ std::string describe(const LineCount& count, const char* one, const char* many) 
 
 }  // namespace
 
-CarmenReader::CarmenReader(std::string_view bytes, std::string name, LogReadOptions options)
-    : bytes_(bytes), name_(std::move(name)), options_(options), lines_(bytes, name_) {}
+CarmenReader::CarmenReader(OpenPieces open, std::string name, LogReadOptions options)
+    : open_(std::move(open)), name_(std::move(name)), options_(options), lines_(open_(), name_) {}
 
 std::optional<Scan> CarmenReader::next() {
     while (const std::optional<Line> line = lines_.next()) {
@@ -91,7 +91,7 @@ std::optional<Scan> CarmenReader::next() {
 /// Logs of later CARMEN versions hold each sweep twice, with and without its pose.
 bool CarmenReader::is_superseded(LaserName name) {
     if (name.kind != LaserKind::raw) return false;
-    if (!has_posed_lines_) has_posed_lines_ = find_posed_lines(bytes_, name_);
+    if (!has_posed_lines_) has_posed_lines_ = find_posed_lines(open_, name_);
     return *has_posed_lines_;
 }
 
@@ -240,7 +240,7 @@ std::vector<std::string> CarmenReader::warnings() const {
 
 void CarmenReader::require_scans() const {
     if (counts_.scans > 0) return;
-    if (bytes_.empty()) {
+    if (open_()().empty()) {
         throw InputError(name_ + ": the file is empty, expected a CARMEN log");
     }
     const auto refuse = [this](const LineCount& count) {
@@ -257,7 +257,7 @@ void CarmenReader::require_scans() const {
 
 LogFile parse_carmen_log(std::string_view bytes, const std::string& name,
                          const LogReadOptions& options) {
-    CarmenReader reader(bytes, name, options);
+    CarmenReader reader([bytes] { return pieces_of(bytes); }, name, options);
     LogFile log;
     std::vector<std::size_t> lasers;
     while (std::optional<Scan> scan = reader.next()) {

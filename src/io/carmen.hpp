@@ -13,6 +13,7 @@
 #include "io/carmen_line.hpp"
 #include "io/line_reader.hpp"
 #include "io/no_return.hpp"
+#include "io/pieces.hpp"
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/scan.hpp"
 
@@ -47,11 +48,11 @@ struct LogCounts {
 /// Reads the scans of a CARMEN log one by one, plain or gzip by content: FLASER, RLASER and
 /// ROBOTLASER with the laser's pose that they state; RAWLASER (only in a log without any of the
 /// former) with the pose of the last ODOM and the laser's PARAM offset. Lines that cannot be used
-/// are skipped and counted. Cost: linear in the bytes.
+/// are skipped and counted. Cost: linear in the bytes; memory for a line and a piece.
 class CarmenReader {
 public:
-    /// @pre `bytes` outlives the reader. `name` stands in messages.
-    CarmenReader(std::string_view bytes, std::string name, LogReadOptions options = {});
+    /// `name` stands in messages.
+    CarmenReader(OpenPieces open, std::string name, LogReadOptions options = {});
 
     /// The next scan; nothing at the end. Its max_range_m is the least of what its line, PARAM and
     /// kMaxUsableRange say (or the option's). Throws InputError when compressed bytes are damaged.
@@ -83,7 +84,7 @@ private:
     void read_parameter(std::string_view fields);
     bool is_superseded(LaserName name);
 
-    std::string_view bytes_;
+    OpenPieces open_;
     std::string name_;
     LogReadOptions options_;
     LineReader lines_;

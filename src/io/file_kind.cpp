@@ -7,9 +7,9 @@
 #include <cstddef>
 
 #include "io/fields.hpp"
-#include "io/file.hpp"
 #include "io/image.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 
 namespace quadcut::io {
 namespace {

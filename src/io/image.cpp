@@ -8,6 +8,7 @@
 #include "io/file.hpp"
 #include "io/file_kind.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 #include "io/jpeg.hpp"
 #include "io/picture.hpp"
 #include "io/tiff.hpp"

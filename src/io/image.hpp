@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/file.hpp"
+#include "io/input.hpp"
 #include "quadcut/base/parallel.hpp"
 
 namespace quadcut::io {

@@ -34,14 +34,14 @@ struct Inflater::Stream {
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-Inflater::Inflater(std::string_view bytes, std::string name, std::uint64_t max_total_bytes)
+Inflater::Inflater(std::string_view bytes, std::string name, std::uint64_t max_total_bytes,
+                   Pieces more)
     : bytes_(bytes),
+      more_(std::move(more)),
       name_(std::move(name)),
       max_total_bytes_(max_total_bytes),
       stream_(std::make_unique<Stream>()) {}
 
-Inflater::Inflater(Inflater&&) noexcept = default;
-Inflater& Inflater::operator=(Inflater&&) noexcept = default;
 Inflater::~Inflater() = default;
 
 std::string_view Inflater::next() {
@@ -59,17 +59,19 @@ std::string_view Inflater::next() {
 
 std::size_t Inflater::unpack() {
     constexpr std::size_t kMaxInput = std::numeric_limits<uInt>::max();
+    if (bytes_.empty()) bytes_ = more_();
     z_stream& state = stream_->state;
-    const std::size_t available = std::min(bytes_.size() - position_, kMaxInput);
+    const std::size_t available = std::min(bytes_.size(), kMaxInput);
     // zlib's interface is not const, but it only reads.
-    state.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes_.data() + position_));
+    state.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes_.data()));
     state.avail_in = static_cast<uInt>(available);
     state.next_out = stream_->piece.data();
     state.avail_out = static_cast<uInt>(kPieceBytes);
     const int status = inflate(&state, Z_NO_FLUSH);
+    bytes_.remove_prefix(available - state.avail_in);
     position_ += available - state.avail_in;
     if (status == Z_STREAM_END) {
-        finished_ = !is_gzip(bytes_.substr(position_));
+        finished_ = !goes_on();
         if (!finished_) inflateReset(&state);
     } else if (status == Z_BUF_ERROR) {
         throw InputError(name_ + ": byte " + std::to_string(position_) +
@@ -80,6 +82,19 @@ std::size_t Inflater::unpack() {
                          (state.msg == nullptr ? "" : std::string(": ") + state.msg));
     }
     return kPieceBytes - state.avail_out;
+}
+
+/// Whether another gzip file is joined to the one that has ended.
+bool Inflater::goes_on() {
+    constexpr std::size_t kMagicBytes = 2;
+    while (bytes_.size() < kMagicBytes) {
+        std::string joined(bytes_);
+        const std::string_view piece = more_();
+        if (piece.empty()) return false;
+        carried_ = joined.append(piece);
+        bytes_ = carried_;
+    }
+    return is_gzip(bytes_);
 }
 
 std::string unpack_gzip(std::string_view bytes, const std::string& name,

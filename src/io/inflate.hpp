@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/pieces.hpp"
+
 namespace quadcut::io {
 
 /// Whether the bytes begin like a gzip file.
@@ -17,10 +19,12 @@ namespace quadcut::io {
 /// padding.
 class Inflater {
 public:
-    /// @pre `bytes` outlives the reader and is_gzip(bytes). `name` stands in messages.
-    Inflater(std::string_view bytes, std::string name, std::uint64_t max_total_bytes);
-    Inflater(Inflater&&) noexcept;
-    Inflater& operator=(Inflater&&) noexcept;
+    /// `more` comes after `bytes`, which are good until it is called for the first time. `name`
+    /// stands in messages. @pre is_gzip(bytes)
+    Inflater(std::string_view bytes, std::string name, std::uint64_t max_total_bytes,
+             Pieces more = pieces_of({}));
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
     ~Inflater();
 
     /// The next piece, good until the one after it; empty at the end. Throws InputError when the
@@ -31,12 +35,15 @@ private:
     struct Stream;
 
     std::size_t unpack();
+    bool goes_on();
 
-    std::string_view bytes_;
+    std::string_view bytes_;  ///< not yet unpacked
+    Pieces more_;
+    std::string carried_;  ///< what is left of a piece, and the next
     std::string name_;
     std::uint64_t max_total_bytes_;
     std::unique_ptr<Stream> stream_;
-    std::size_t position_ = 0;
+    std::uint64_t position_ = 0;
     std::uint64_t total_ = 0;
     bool finished_ = false;
 };

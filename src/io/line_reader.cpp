@@ -13,17 +13,15 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-LineReader::LineReader(std::string_view bytes, std::string name, LineLimits limits)
-    : limits_(limits) {
-    if (is_gzip(bytes)) {
-        inflater_.emplace(bytes, std::move(name), limits.max_total_bytes);
-    } else {
-        pending_ = bytes;
-    }
+LineReader::LineReader(Pieces pieces, std::string name, LineLimits limits)
+    : limits_(limits), pieces_(std::move(pieces)), pending_(pieces_()) {
+    if (!is_gzip(pending_)) return;
+    inflater_.emplace(pending_, std::move(name), limits.max_total_bytes, std::move(pieces_));
+    pending_ = {};
 }
 
 bool LineReader::refill() {
-    if (inflater_) pending_ = inflater_->next();
+    pending_ = inflater_ ? inflater_->next() : pieces_();
     return !pending_.empty();
 }
 

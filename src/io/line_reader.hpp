@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "io/inflate.hpp"
+#include "io/pieces.hpp"
 
 namespace quadcut::io {
 
@@ -30,8 +32,11 @@ struct LineLimits {
 /// the longest line allowed.
 class LineReader {
 public:
-    /// @pre `bytes` outlives the reader. `name` stands in messages.
-    LineReader(std::string_view bytes, std::string name, LineLimits limits = {});
+    /// `name` stands in messages. @pre the first piece has two bytes, if there are as many
+    LineReader(Pieces pieces, std::string name, LineLimits limits = {});
+    /// @pre `bytes` outlives the reader.
+    LineReader(std::string_view bytes, std::string name, LineLimits limits = {})
+        : LineReader(pieces_of(bytes), std::move(name), limits) {}
 
     /// The next line; nothing at the end. Throws InputError when compressed bytes are damaged, end
     /// early, or unpack to more than the limit.
@@ -41,6 +46,7 @@ private:
     bool refill();
 
     LineLimits limits_;
+    Pieces pieces_;
     std::optional<Inflater> inflater_;  ///< none: plain bytes
     std::string_view pending_;          ///< unpacked, not yet returned
     std::string carried_;               ///< the beginning of a line that spans two pieces

@@ -10,6 +10,7 @@
 #include "io/grey_evidence.hpp"
 #include "io/image.hpp"
 #include "io/inflate.hpp"
+#include "io/input.hpp"
 #include "io/map_place.hpp"
 #include "io/number_text.hpp"
 #include "io/transparent_ground.hpp"

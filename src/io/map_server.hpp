@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/file.hpp"
+#include "io/input.hpp"
 #include "io/map_yaml.hpp"
 #include "io/pixel_states.hpp"
 #include "quadcut/map/grid_map.hpp"

@@ -6,14 +6,31 @@
 #include <span>
 #include <stdexcept>
 
+#include "io/format_version.hpp"
 #include "io/image.hpp"
-#include "io/rooms_yaml.hpp"
+#include "io/map_frame.hpp"
+#include "io/number_text.hpp"
 
 namespace quadcut::io {
 
 std::vector<std::string> map_files() { return {"map.pgm", "map.yaml"}; }
 
-void add_map(FileBatch& batch, const GridMap& map, const std::string& folder) {
+std::string to_map_yaml(const GridMap& map, const MapKeys& keys) {
+    const Pose origin = MapFrame(map).pose_of(map.states.origin);
+    std::string yaml;
+    yaml += "image: " + keys.image + "\n";
+    yaml.append("mode: ").append(to_text(keys.mode)).append("\n");
+    yaml += "resolution: " + exact(map.resolution_m) + "\n";
+    yaml += "origin: [" + exact(origin.x) + ", " + exact(origin.y) + ", " + exact(origin.yaw_rad) +
+            "]\n";
+    yaml += std::string("negate: ") + (keys.negate ? "1" : "0") + "\n";
+    yaml += "occupied_thresh: " + exact(keys.occupied_thresh) + "\n";
+    yaml += "free_thresh: " + exact(keys.free_thresh) + "\n";
+    yaml += "format_version: " + std::to_string(kFormatVersion) + "\n";
+    return yaml;
+}
+
+std::vector<std::string> encode_map(const GridMap& map) {
     if (map.states.width <= 0 || map.states.height <= 0) {
         throw std::logic_error("a map without cells cannot be written");
     }
@@ -33,9 +50,14 @@ void add_map(FileBatch& batch, const GridMap& map, const std::string& folder) {
         }
     };
     MapKeys keys;
-    keys.image = "map.pgm";
-    batch.add(folder + keys.image, encode_pgm(header, fill_row));
-    batch.add(folder + "map.yaml", to_map_yaml(map, keys));
+    keys.image = map_files().front();
+    return {encode_pgm(header, fill_row), to_map_yaml(map, keys)};
+}
+
+void add_map(FileBatch& batch, const GridMap& map, const std::string& folder) {
+    const std::vector<std::string> files = map_files();
+    const std::vector<std::string> bytes = encode_map(map);
+    for (std::size_t i = 0; i < files.size(); ++i) batch.add(folder + files[i], bytes[i]);
 }
 
 }  // namespace quadcut::io

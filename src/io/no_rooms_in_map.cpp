@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <vector>
 
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/inside.hpp"
 
 namespace quadcut::io {
@@ -22,16 +23,13 @@ std::string with_unit(double value, const char* unit) {
 
 std::string why_no_rooms(const GridMap& map, const SegmentOptions& options,
                          std::span<const Point> trajectory) {
-    const FreeComponents free = find_free_components(map.states);
-    if (free.components.empty()) return "no room: no cell of the map is free";
+    const std::vector<std::size_t> num_cells = free_parts(map.states).num_cells();
+    if (num_cells.size() == 1) return "no room: no cell of the map is free";
     const bool is_paper = options.preset == Preset::paper;
     const double min_m2 =
         is_paper ? options.paper.min_component_m2 : options.rooms.min_component_m2;
-    const auto largest =
-        std::max_element(free.components.begin(), free.components.end(),
-                         [](const auto& a, const auto& b) { return a.num_cells < b.num_cells; });
-    const double largest_m2 =
-        static_cast<double>(largest->num_cells) * map.resolution_m * map.resolution_m;
+    const std::size_t largest = *std::max_element(num_cells.begin(), num_cells.end());
+    const double largest_m2 = static_cast<double>(largest) * map.resolution_m * map.resolution_m;
     const std::string prefix = is_paper ? "paper." : "rooms.";
     if (largest_m2 < min_m2) {
         return "no room: the largest free space has " + with_unit(largest_m2, "m²") +
@@ -40,7 +38,7 @@ std::string why_no_rooms(const GridMap& map, const SegmentOptions& options,
     }
     const Raster<std::uint8_t> kept = inside(map, trajectory, min_m2);
     const auto num_kept = std::count(kept.values.begin(), kept.values.end(), std::uint8_t{1});
-    if (static_cast<std::size_t>(num_kept) < largest->num_cells) {
+    if (static_cast<std::size_t>(num_kept) < largest) {
         return "no room: all that is large enough is the ground outside, along the map's border "
                "(--poses FILE says where the robot was)";
     }

@@ -72,8 +72,9 @@ double parse_number(const OptionField& field, std::string_view text) {
     return value;
 }
 
-std::size_t parse_count(const OptionField& field, std::string_view text) {
-    std::size_t value = 0;
+template <typename Whole>
+Whole parse_whole(const OptionField& field, std::string_view text) {
+    Whole value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() ||
         static_cast<double>(value) < field.low || static_cast<double>(value) > field.high) {
@@ -99,7 +100,9 @@ void set_option(const std::vector<OptionField>& fields, std::string_view name,
         if (const auto* number = std::get_if<double*>(&field.value)) {
             **number = parse_number(field, text);
         } else if (const auto* count = std::get_if<std::size_t*>(&field.value)) {
-            **count = parse_count(field, text);
+            **count = parse_whole<std::size_t>(field, text);
+        } else if (const auto* whole = std::get_if<int*>(&field.value)) {
+            **whole = parse_whole<int>(field, text);
         } else {
             choose(field, std::get<Choice>(field.value), text);
         }
@@ -115,6 +118,7 @@ std::string option_text(const OptionField& field) {
     if (const auto* count = std::get_if<std::size_t*>(&field.value)) {
         return std::to_string(**count);
     }
+    if (const auto* whole = std::get_if<int*>(&field.value)) return std::to_string(**whole);
     const Choice& choice = std::get<Choice>(field.value);
     return std::string(choice.words[*choice.value]);
 }

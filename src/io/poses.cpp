@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "io/fields.hpp"
-#include "io/file.hpp"
 #include "io/file_kind.hpp"
+#include "io/input.hpp"
 #include "io/line_reader.hpp"
 #include "quadcut/base/error.hpp"
 

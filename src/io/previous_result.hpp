@@ -27,8 +27,8 @@ struct RoomsLegend {
     std::uint32_t next_id = 1;
 };
 
-/// Reads a rooms.yaml as to_rooms_yaml writes it and people edit it; without a `color` a room has
-/// none, without `centroid` or `label_point` these are (0, 0), without `next_id` it is one more
+/// Reads a rooms.yaml as the format `labels` writes it and people edit it; without a `color` a room
+/// has none, without `centroid` or `label_point` these are (0, 0), without `next_id` it is one more
 /// than the highest id, and what else is there plays no part. Throws InputError as parse_map_yaml,
 /// and with line and key when format_version is not one that is known, a value or an id is not in 1
 /// .. kMaxRoomId or there twice, a kind or colour is none, a point is none, or next_id is not

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/components.hpp"
 #include "quadcut/map/connected_parts.hpp"
 
 namespace quadcut::io {
@@ -97,11 +96,12 @@ bool is_drawn_on_transparent(const GreyTally& tally, const MapKeys& keys) {
 WalledFloor take_outside_away(GridMap map) {
     const Surroundings surroundings(map);
     Raster<CellState>& states = map.states;
-    const FreeComponents free = find_free_components(states);
+    const ConnectedParts free = free_parts(states);
+    const std::vector<bool> is_on_edge = free.on_edge();
     // Key 1 is enclosed by walls, 2 has leaked out through an opening.
     Raster<std::uint8_t> inside(states.box());
-    free.parts.for_each_run([&](const CellRun& run, std::size_t first) {
-        const bool has_leaked = free.components[run.part - 1].num_border_cells > 0;
+    free.for_each_run([&](const CellRun& run, std::size_t first) {
+        const bool has_leaked = is_on_edge[run.part];
         for (std::size_t i = first; i < first + run.end - run.begin; ++i) {
             const bool is_out = has_leaked && surroundings.is_reached(states.cell(i));
             inside.values[i] = is_out ? 0 : has_leaked ? 2 : 1;

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/spectral/graph.hpp"
 #include "quadcut/spectral/laplacian.hpp"

@@ -11,7 +11,7 @@
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 /// No text or blob of ours is larger; a file that says otherwise is not read.
@@ -248,4 +248,4 @@ void Database::limit_pages(std::int64_t pages) {
 
 const std::filesystem::path& Database::path() const { return impl_->path; }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -9,7 +9,9 @@
 #include <string>
 #include <string_view>
 
-namespace quadcut::store {
+#include "project/access.hpp"
+
+namespace quadcut::project {
 
 class Database;
 
@@ -48,8 +50,6 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-enum class Access : std::uint8_t { read, write };
-
 /// An SQLite file that exists. All errors are InputError and name the file: it is no database, is
 /// damaged, is in use by another program, or the disk is full.
 class Database {
@@ -82,4 +82,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -8,12 +8,16 @@
 #include <utility>
 
 #include "io/file.hpp"
+#include "project/edit_text.hpp"
 #include "project/project_rows.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
+const std::array<std::string_view, 5> kKinds{name_of(EditKind::rename), name_of(EditKind::merge),
+                                             name_of(EditKind::split), name_of(EditKind::lock),
+                                             name_of(EditKind::unlock)};
 constexpr std::array<std::string_view, 4> kStates{"done", "undone", "dropped", "fixed"};
 constexpr std::array<std::string_view, 3> kBorders{"none", "part", "join"};
 
@@ -24,7 +28,7 @@ std::size_t place_of(const std::array<std::string_view, kSize>& words, const std
     for (std::size_t i = 0; i < kSize; ++i) {
         if (words[i] == word) return i;
     }
-    throw InputError(io::display_name(database.path()) + ": table undo: '" + word + "' cannot be");
+    throw InputError(io::display_name(database.path()) + ": an edit: '" + word + "' cannot be");
 }
 
 std::uint32_t room_at(const Statement& row, int column) {
@@ -40,7 +44,7 @@ void forget_inverse(const Database& database, std::int64_t number) {
 }
 
 void write_state(const Database& database, std::int64_t number, EditState state,
-                 Edit::Border border) {
+                 Reversal::Border border) {
     Statement(database, "INSERT INTO undo VALUES(?, ?, ?)")
         .bind(1, number)
         .bind(2, kStates.at(static_cast<std::size_t>(state)))
@@ -48,88 +52,100 @@ void write_state(const Database& database, std::int64_t number, EditState state,
         .run();
 }
 
-Edit::Border read_border(const Database& database, std::int64_t number) {
+Reversal::Border read_border(const Database& database, std::int64_t number) {
     Statement row(database, "SELECT border FROM undo WHERE edit = ?");
     row.bind(1, number);
-    if (!row.step()) return Edit::Border::none;
-    return static_cast<Edit::Border>(place_of(kBorders, row.text(0), database));
+    if (!row.step()) return Reversal::Border::none;
+    return static_cast<Reversal::Border>(place_of(kBorders, row.text(0), database));
 }
 
 }  // namespace
 
-std::vector<EditRecord> read_edits(const Database& database) {
+std::vector<EditRecord> read_edits(const Database& database, double resolution_m) {
     const bool has_undo = database.pragma("user_version") >= 2;
     const std::string state = has_undo ? "coalesce(undo.state, 'fixed')" : "'fixed'";
     const std::string join = has_undo ? " LEFT JOIN undo ON undo.edit = seq" : "";
     Statement row(database,
                   "SELECT kind, room, other, name, from_x, from_y, to_x, to_y, seq, scan, " +
                       state + " FROM edits" + join + " ORDER BY seq");
+    const auto middle_of = [&](Cell cell) {
+        return Point{(cell.x + 0.5) * resolution_m, (cell.y + 0.5) * resolution_m};
+    };
     std::vector<EditRecord> edits;
     while (row.step()) {
-        EditRecord edit;
-        edit.kind = row.text(0);
-        edit.room = RoomId{room_at(row, 1)};
-        edit.other = RoomId{room_at(row, 2)};
-        edit.name = row.text(3);
-        edit.line = {cell_at(row, 4), cell_at(row, 6)};
-        edit.number = row.integer(8, 1, std::numeric_limits<std::int64_t>::max());
-        edit.scan = static_cast<std::size_t>(row.integer(9, 0, std::int64_t{1} << 53));
-        edit.state = static_cast<EditState>(place_of(kStates, row.text(10), database));
-        edits.push_back(std::move(edit));
+        EditRecord record;
+        record.edit = {static_cast<EditKind>(place_of(kKinds, row.text(0), database)),
+                       RoomId{room_at(row, 1)},
+                       RoomId{room_at(row, 2)},
+                       row.text(3),
+                       middle_of(cell_at(row, 4)),
+                       middle_of(cell_at(row, 6))};
+        record.number = row.integer(8, 1, std::numeric_limits<std::int64_t>::max());
+        record.scan = static_cast<std::size_t>(row.integer(9, 0, std::int64_t{1} << 53));
+        record.state = static_cast<EditState>(place_of(kStates, row.text(10), database));
+        edits.push_back(std::move(record));
     }
     return edits;
 }
 
-void write_edit(const Database& database, const EditRecord& record, const Edit& inverse) {
-    for (const EditRecord& earlier : read_edits(database)) {
-        if (earlier.state != EditState::undone) continue;
-        forget_inverse(database, earlier.number);
-        write_state(database, earlier.number, EditState::dropped, Edit::Border::none);
+std::int64_t write_edit(const Database& database, const EditRecord& record,
+                        const Reversal& inverse) {
+    Statement undone(database, "SELECT edit FROM undo WHERE state = 'undone'");
+    std::vector<std::int64_t> dropped;
+    while (undone.step()) {
+        dropped.push_back(undone.integer(0, 1, std::numeric_limits<std::int64_t>::max()));
     }
+    for (const std::int64_t number : dropped) {
+        forget_inverse(database, number);
+        write_state(database, number, EditState::dropped, Reversal::Border::none);
+    }
+    const Edit& edit = record.edit;
     Statement insert(database,
                      "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
                      "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, static_cast<std::int64_t>(record.scan))
-        .bind(2, std::string_view(record.kind))
-        .bind(3, static_cast<std::int64_t>(index(record.room)))
-        .bind(4, static_cast<std::int64_t>(index(record.other)))
-        .bind(5, std::string_view(record.name));
-    bind_cell(insert, 6, record.line.from);
-    bind_cell(insert, 8, record.line.to);
+        .bind(2, name_of(edit.kind))
+        .bind(3, static_cast<std::int64_t>(index(edit.room)))
+        .bind(4, static_cast<std::int64_t>(index(edit.other)))
+        .bind(5, std::string_view(edit.name));
+    const SplitLine line = edit.kind == EditKind::split ? inverse.lines.front() : SplitLine{};
+    bind_cell(insert, 6, line.from);
+    bind_cell(insert, 8, line.to);
     insert.run();
     Statement last(database, "SELECT last_insert_rowid()");
     last.step();
-    write_inverse(database, last.integer(0, 1, std::numeric_limits<std::int64_t>::max()),
-                  EditState::done, inverse);
+    const std::int64_t number = last.integer(0, 1, std::numeric_limits<std::int64_t>::max());
+    write_inverse(database, number, EditState::done, inverse);
+    return number;
 }
 
-Edit read_inverse(const Database& database, const EditRecord& record) {
-    Edit edit;
-    edit.room = record.room;
-    edit.other = record.other;
-    edit.border = read_border(database, record.number);
+Reversal read_inverse(const Database& database, const EditRecord& record) {
+    Reversal reversal;
+    reversal.room = record.edit.room;
+    reversal.other = record.edit.other;
+    reversal.border = read_border(database, record.number);
     Statement room(database,
                    "SELECT room, name, merge_group, locked FROM undo_rooms WHERE edit = ?");
     room.bind(1, record.number);
     while (room.step()) {
-        edit.settings[room_at(room, 0)] = {room.text(1), room_at(room, 2),
-                                           room.integer(3, 0, 1) != 0};
+        reversal.settings[room_at(room, 0)] = {room.text(1), room_at(room, 2),
+                                               room.integer(3, 0, 1) != 0};
     }
     Statement cells(database, "SELECT x, y, cells FROM undo_cells WHERE edit = ?");
     cells.bind(1, record.number);
     while (cells.step()) {
         const Cell tile = cell_at(cells, 0);
-        edit.cells[{tile.x, tile.y}] = static_cast<std::uint64_t>(cells.integer(
+        reversal.cells[{tile.x, tile.y}] = static_cast<std::uint64_t>(cells.integer(
             2, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
     }
     Statement line(database, "SELECT from_x, from_y, to_x, to_y FROM undo_lines WHERE edit = ?");
     line.bind(1, record.number);
-    while (line.step()) edit.lines.push_back({cell_at(line, 0), cell_at(line, 2)});
-    return edit;
+    while (line.step()) reversal.lines.push_back({cell_at(line, 0), cell_at(line, 2)});
+    return reversal;
 }
 
 void write_inverse(const Database& database, std::int64_t number, EditState state,
-                   const Edit& inverse) {
+                   const Reversal& inverse) {
     forget_inverse(database, number);
     write_state(database, number, state, inverse.border);
     Statement room(database, "INSERT INTO undo_rooms VALUES(?, ?, ?, ?, ?)");
@@ -156,4 +172,4 @@ void write_inverse(const Database& database, std::int64_t number, EditState stat
     }
 }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -17,7 +17,7 @@
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 constexpr int kPatienceMs = 2000;
@@ -107,4 +107,4 @@ void make_database_file(const std::filesystem::path& path, std::string_view byte
     if (!make_of_nameless(folder, path, bytes)) make_of_named(path, bytes);
 }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace quadcut::store {
+namespace quadcut::project {
 
 /// Makes an SQLite file of these bytes at a name that is free: whole, or not at all, whenever the
 /// program is killed. What a killed program has left beside an earlier file of this name is taken
@@ -13,4 +13,4 @@ namespace quadcut::store {
 /// for the others, and when it cannot be written.
 void make_database_file(const std::filesystem::path& path, std::string_view bytes);
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -3,300 +3,386 @@
 #include "project/project.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "io/file.hpp"
-#include "io/option_text.hpp"
+#include "io/room_name.hpp"
 #include "io/updates.hpp"
-#include "project/new_file.hpp"
-#include "project/project_rows.hpp"
-#include "project/schema.hpp"
+#include "project/begun_with.hpp"
+#include "project/growing.hpp"
+#include "project/project_file.hpp"
 #include "quadcut/base/error.hpp"
 
-namespace quadcut::store {
+namespace quadcut {
 namespace {
 
-constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
+/// With the longest update and the time of a save less than a second.
+constexpr std::chrono::milliseconds kSaveAfter{500};
 
-void write_options(const Database& database, FollowOptions options) {
-    Statement insert(database, "INSERT INTO options VALUES(?, ?)");
-    for (const OptionField& field : option_fields(options.segment)) {
-        // The result is the same on any number of threads.
-        if (field.name == "threads") continue;
-        const std::string value = io::option_text(field);
-        insert.bind(1, field.name).bind(2, std::string_view(value)).run();
+/// Mostly the folder of the results, which is there when they are.
+void make_folder_of(const std::filesystem::path& path) {
+    std::error_code error;
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+    if (error) {
+        throw InputError(io::display_name(path) +
+                         ": its folder cannot be made: " + error.message());
     }
 }
 
-void write_meta(const Database& database, std::string_view key, std::int64_t value) {
-    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
-        .bind(1, key)
-        .bind(2, value)
-        .run();
-}
-
-void write_meta(const Database& database, std::string_view key, double value) {
-    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
-        .bind(1, key)
-        .bind(2, value)
-        .run();
-}
-
-void write_meta(const Database& database, std::string_view key, std::string_view value) {
-    Statement(database, "INSERT OR REPLACE INTO meta VALUES(?, ?)")
-        .bind(1, key)
-        .bind(2, value)
-        .run();
-}
-
-void write_position(const Database& database, const LogPosition& position) {
-    write_meta(database, "log", std::string_view(position.log));
-    write_meta(database, "log_hash", static_cast<std::int64_t>(position.log_hash));
-    write_meta(database, "num_done", static_cast<std::int64_t>(position.num_done));
-    write_meta(database, "num_left_out", static_cast<std::int64_t>(position.num_left_out));
-    write_meta(database, "first_left_out", std::string_view(position.first_left_out));
-    write_meta(database, "is_finished", std::int64_t{position.is_finished});
-}
-
-/// One value of `meta`, ready to be read at column 0.
-Statement meta(const Database& database, std::string_view key) {
-    Statement statement(database, "SELECT value FROM meta WHERE key = ?");
-    statement.bind(1, key);
-    if (!statement.step()) {
-        throw InputError(io::display_name(database.path()) + ": is incomplete: expected a row '" +
-                         std::string(key) + "' in its table meta");
-    }
-    return statement;
-}
-
-/// Whether an option of earlier projects, which is none any more, has the value that all have now.
-/// Throws InputError when it has another one.
-bool is_without_choice(std::string_view name, std::string_view value) {
-    // It meant something for rooms.fuse=ratio only.
-    if (name == "rooms.min_ratio") return true;
-    const std::string_view left = name == "rooms.fuse"        ? "model"
-                                  : name == "rooms.furniture" ? "off_wall"
-                                                              : "";
-    if (left.empty()) return false;
-    if (value == left) return true;
-    throw InputError("was begun with " + std::string(name) + " = " + std::string(value) +
-                     ", which is no choice any more: expected " + std::string(left) +
-                     "; 'quadcut follow LOG -o DIR --project FILE' begins a new project");
-}
-
-std::size_t count_in_meta(const Database& database, std::string_view key) {
-    return static_cast<std::size_t>(meta(database, key).integer(0, 0, kMaxCount));
+Point middle_of(Cell cell, double resolution_m) {
+    return {(cell.x + 0.5) * resolution_m, (cell.y + 0.5) * resolution_m};
 }
 
 }  // namespace
 
-Project Project::in_memory(const std::filesystem::path& path, const FollowOptions& options,
-                           const LogPosition& position) {
-    Database database = Database::in_memory(path);
-    database.run("BEGIN");
-    for (const Table& table : tables()) database.run(std::string(table.sql));
-    write_options(database, options);
-    write_meta(database, "resolution_m", options.resolution_m);
-    write_meta(database, "min_change_m2", options.min_change_m2);
-    write_meta(database, "max_wait_m2_scans", options.max_wait_m2_scans);
-    write_meta(database, "first_cut_m2", options.first_cut_m2);
-    write_meta(database, "min_patch_m2", options.min_patch_m2);
-    write_position(database, position);
-    write_state(database, FollowerState{});
-    database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
-    database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
-    database.run("COMMIT");
-    Project project(std::move(database));
-    project.options_ = options;
-    project.position_ = position;
-    project.database_.run("BEGIN IMMEDIATE");
-    return project;
-}
+struct Project::Impl {
+    enum class Home : std::uint8_t { memory, file, file_to_read };
+
+    Impl(project::ProjectFile project_file, Home project_home, const RunOptions& run)
+        : home(project_home),
+          file(std::move(project_file)),
+          follower(file.follower(run)),
+          progress(file.progress()),
+          history(file.edits()) {
+        updates->append(file.update_lines());
+        num_saved = updates->size();
+        sum_up();
+    }
+
+    /// Changes wait for each other, in the order in which they were begun.
+    class Turn {
+    public:
+        explicit Turn(Impl& impl) : Turn(impl, std::unique_lock(impl.mutex)) {}
+        Turn(Impl& impl, std::unique_lock<std::mutex> lock) : impl_(impl) {
+            const std::uint64_t own = impl.next_turn++;
+            impl.is_over.wait(lock, [&] { return impl.turn == own; });
+        }
+        Turn(const Turn&) = delete;
+        Turn& operator=(const Turn&) = delete;
+        ~Turn() {
+            {
+                const std::lock_guard lock(impl_.mutex);
+                ++impl_.turn;
+            }
+            impl_.is_over.notify_all();
+        }
+
+    private:
+        Impl& impl_;
+    };
+
+    template <typename Make>
+    auto change(const Make& make) {
+        if (home == Home::file_to_read) throw std::logic_error("a project that is only read");
+        const Turn own(*this);
+        return make();
+    }
+
+    // What follows is called by who has the turn.
+
+    FollowUpdate add(const Scan& scan) {
+        const FollowUpdate update = follower.add_scan(scan);
+        way->append({{scan.world_from_sensor.x, scan.world_from_sensor.y}});
+        return take(update);
+    }
+
+    FollowUpdate take(FollowUpdate update) {
+        update.events.insert(update.events.begin(), refined.begin(), refined.end());
+        refined.clear();
+        updates->append(io::to_json_line(update));
+        set_progress({progress.position, false});
+        tell(update);
+        return update;
+    }
+
+    void set_progress(project::Progress now) {
+        const std::lock_guard lock(mutex);
+        progress = std::move(now);
+    }
+
+    /// Lets all know of a change that was made.
+    void tell(const FollowUpdate& update) {
+        for (const LifeEvent& event : update.events) events.emplace_back(update.scan, event);
+        bool is_asked_for = false;
+        {
+            const std::lock_guard lock(mutex);
+            sum_up();
+            is_asked_for = is_wanted;
+        }
+        if (is_asked_for) publish();
+    }
+
+    void sum_up() {
+        state.revision = follower.state().revision;
+        state.num_scans = follower.num_scans();
+        state.num_rooms = follower.num_rooms();
+    }
+
+    std::shared_ptr<const Snapshot> publish() {
+        Snapshot::Story story{
+            [lines = updates, count = updates->size()] { return lines->between(0, count); },
+            [points = way, count = way->size()] { return points->between(0, count); }};
+        auto made = std::make_shared<const Snapshot>(follower, state.revision, std::move(story));
+        const std::lock_guard lock(mutex);
+        is_wanted = false;
+        return latest = std::move(made);
+    }
+
+    void save() {
+        file.save(follower,
+                  {updates->between(num_saved, updates->size()), std::exchange(events, {})},
+                  progress);
+        num_saved = updates->size();
+        saved_at = std::chrono::steady_clock::now();
+    }
+
+    void save_in_time() {
+        const bool is_due = std::chrono::steady_clock::now() - saved_at > kSaveAfter;
+        if (home == Home::file && is_due) save();
+    }
+
+    EditRecord reverse(EditRecord record, EditState becomes);
+    void note(const EditRecord& record);
+
+    const Home home;
+    // Of who has the turn.
+    project::ProjectFile file;
+    Follower follower;
+    /// What refining did since the last update.
+    std::vector<LifeEvent> refined;
+    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::size_t num_saved = 0;
+    std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
+    const std::shared_ptr<project::Growing<std::string>> updates =
+        std::make_shared<project::Growing<std::string>>();
+    const std::shared_ptr<project::Growing<std::vector<Point>>> way =
+        std::make_shared<project::Growing<std::vector<Point>>>();
+
+    // Written by who has the turn and the mutex, read by who has one of them.
+    std::mutex mutex;
+    std::condition_variable is_over;
+    std::uint64_t next_turn = 0;
+    std::uint64_t turn = 0;
+    bool is_wanted = false;
+    std::shared_ptr<const Snapshot> latest;
+    ProjectState state;
+    project::Progress progress;
+    std::vector<EditRecord> history;
+};
+
+Project::Project(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Project::Project(Project&&) noexcept = default;
+Project::~Project() = default;
 
 Project Project::create(const std::filesystem::path& path, const FollowOptions& options,
-                        const LogPosition& position) {
-    make_database_file(path, in_memory(path, options, position).file_bytes());
-    return Project(path, Access::write);
+                        const std::optional<ScanPosition>& position, const RunOptions& run) {
+    return Project(std::make_unique<Impl>(project::ProjectFile::create(path, options, position),
+                                          Impl::Home::file, run));
 }
 
-Project::Project(const std::filesystem::path& path, Access access) : database_(path, access) {
-    // One state of the file for all that is read.
-    if (access == Access::read) database_.run("BEGIN");
-    check_form();
-    if (access == Access::write) {
-        database_.run("PRAGMA journal_mode=WAL");
-        database_.run("PRAGMA synchronous=NORMAL");
-        // Held until the project is closed, so that no other program writes.
-        database_.run("BEGIN IMMEDIATE");
-        bring_up_to_date();
+Project Project::open(const std::filesystem::path& path, Access access, const RunOptions& run) {
+    const Impl::Home home = access == Access::read ? Impl::Home::file_to_read : Impl::Home::file;
+    return Project(std::make_unique<Impl>(project::ProjectFile(path, access), home, run));
+}
+
+Project Project::open_or_create(const std::filesystem::path& path, const FollowOptions& options,
+                                const ScanPosition& source, const RunOptions& run) {
+    if (!std::filesystem::exists(path)) {
+        make_folder_of(path);
+        return create(path, options, source, run);
     }
-    read_options();
-    read_position();
+    project::ProjectFile file(path, Access::write);
+    project::require_begun_with(file, options, source);
+    return Project(std::make_unique<Impl>(std::move(file), Impl::Home::file, run));
 }
 
-void Project::check_form() const {
-    const std::string name = io::display_name(database_.path());
-    if (database_.pragma("application_id") != kApplicationId) {
-        throw InputError(name + ": is no project file: expected one that quadcut has written");
-    }
-    const std::int64_t version = database_.pragma("user_version");
-    if (version < 1 || version > kFormatVersion) {
-        throw InputError(name + ": is a project of format version " + std::to_string(version) +
-                         ": expected 1 to " + std::to_string(kFormatVersion) +
-                         (version > kFormatVersion ? "; a newer quadcut has written it" : ""));
-    }
-    Statement statement(database_, "SELECT sql FROM sqlite_master ORDER BY name");
-    bool is_ours = true;
-    for (const Table& table : tables()) {
-        if (table.since > version) continue;
-        is_ours = is_ours && statement.step() && statement.text(0) == table.sql;
-    }
-    if (!is_ours || statement.step()) {
-        throw InputError(name + ": is no project file: its tables are not those of version " +
-                         std::to_string(version));
-    }
+Project Project::in_memory(const FollowOptions& options,
+                           const std::optional<ScanPosition>& position, const RunOptions& run) {
+    return Project(std::make_unique<Impl>(
+        project::ProjectFile::in_memory("a project in memory", options, position),
+        Impl::Home::memory, run));
 }
 
-void Project::bring_up_to_date() {
-    const std::int64_t version = database_.pragma("user_version");
-    if (version == kFormatVersion) return;
-    for (const Table& table : tables()) {
-        if (table.since > version) database_.run(std::string(table.sql));
-    }
-    database_.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
-}
-
-void Project::read_options() {
-    const std::vector<OptionField> fields = option_fields(options_.segment);
-    Statement statement(database_, "SELECT name, value FROM options ORDER BY name");
-    try {
-        while (statement.step()) {
-            const std::string name = statement.text(0);
-            const std::string value = statement.text(1);
-            if (!is_without_choice(name, value)) io::set_option(fields, name, value);
-        }
-    } catch (const InputError& error) {
-        throw InputError(io::display_name(database_.path()) + ": " + error.what());
-    }
-    options_.resolution_m = meta(database_, "resolution_m").number(0);
-    options_.min_change_m2 = meta(database_, "min_change_m2").number(0);
-    options_.max_wait_m2_scans = meta(database_, "max_wait_m2_scans").number(0);
-    options_.first_cut_m2 = meta(database_, "first_cut_m2").number(0);
-    options_.min_patch_m2 = meta(database_, "min_patch_m2").number(0);
-    if (!(options_.resolution_m >= 0.001 && options_.resolution_m <= 10.0)) {
-        throw InputError(io::display_name(database_.path()) + ": a resolution of " +
-                         std::to_string(options_.resolution_m) + " m: expected 0.001 to 10");
-    }
-}
-
-void Project::read_position() {
-    position_.log = meta(database_, "log").text(0);
-    position_.log_hash =
-        static_cast<std::uint64_t>(meta(database_, "log_hash")
-                                       .integer(0, std::numeric_limits<std::int64_t>::min(),
-                                                std::numeric_limits<std::int64_t>::max()));
-    position_.num_done = count_in_meta(database_, "num_done");
-    position_.num_left_out = count_in_meta(database_, "num_left_out");
-    position_.first_left_out = meta(database_, "first_left_out").text(0);
-    position_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
-}
-
-Follower Project::follower(std::size_t num_threads) const {
-    try {
-        FollowOptions options = options_;
-        options.segment.num_threads = num_threads;
-        return Follower(options, read_state(database_));
-    } catch (const InputError& error) {
-        const std::string name = io::display_name(database_.path());
-        const std::string what = error.what();
-        if (what.rfind(name, 0) == 0) throw;
-        throw InputError(name + ": contradicts itself: " + what);
-    }
-}
-
-std::string Project::update_lines() const {
-    std::string lines;
-    Statement statement(database_, "SELECT line FROM updates ORDER BY seq");
-    while (statement.step()) lines += statement.text(0);
-    return lines;
-}
-
-void Project::add(const FollowUpdate& update, std::string_view line) {
-    if (!line.empty()) waiting_.lines.emplace_back(line);
-    for (const LifeEvent& event : update.events) waiting_.events.emplace_back(update.scan, event);
-}
-
-void Project::add(const EditRecord& record, const Edited& edited) {
-    add(edited.update, "");
-    write_edit(database_, record, edited.inverse);
-}
-
-EditRecord Project::undo(Follower& follower) {
-    const std::vector<EditRecord> all = edits();
-    const auto last = std::find_if(all.rbegin(), all.rend(), [](const EditRecord& record) {
-        return record.state == EditState::done || record.state == EditState::fixed;
+FollowUpdate Project::add(const Scan& scan) {
+    return impl_->change([&] {
+        FollowUpdate update = impl_->add(scan);
+        impl_->save_in_time();
+        return update;
     });
-    if (last == all.rend()) throw InputError("there is nothing to undo");
-    if (last->state == EditState::fixed) {
-        throw InputError("edit " + std::to_string(last->number) +
-                         " was made by a version of quadcut that did not keep how to undo it");
-    }
-    return turn(follower, *last, EditState::undone);
 }
 
-EditRecord Project::redo(Follower& follower) {
-    for (const EditRecord& record : edits()) {
-        if (record.state == EditState::undone) return turn(follower, record, EditState::done);
-    }
-    throw InputError("there is nothing to redo: no edit was undone since the last was made");
+FollowUpdate Project::add(const Raster<CellState>& patch) {
+    return impl_->change([&] {
+        FollowUpdate update = impl_->take(impl_->follower.update_cells(patch));
+        impl_->save_in_time();
+        return update;
+    });
 }
 
-EditRecord Project::turn(Follower& follower, EditRecord record, EditState state) {
+std::optional<FollowUpdate> Project::add_next(const Scan& scan, std::string_view place) {
+    return impl_->change([&] {
+        std::optional<FollowUpdate> update;
+        ScanPosition after = impl_->progress.position.value();
+        try {
+            update = impl_->add(scan);
+        } catch (const InputError& error) {
+            const std::string where = place.empty() ? "" : std::string(place) + ": ";
+            if (after.num_left_out++ == 0) after.first_left_out = where + error.what();
+        }
+        ++after.num_done;
+        impl_->set_progress({after, false});
+        impl_->save_in_time();
+        return update;
+    });
+}
+
+void Project::set_position(const std::optional<ScanPosition>& position) {
+    impl_->change([&] { impl_->set_progress({position, impl_->progress.is_finished}); });
+}
+
+bool Project::refine() {
+    return impl_->change([&] {
+        const std::optional<FollowUpdate> update = impl_->follower.refine();
+        if (!update) return false;
+        impl_->refined.insert(impl_->refined.end(), update->events.begin(), update->events.end());
+        impl_->tell({});
+        return true;
+    });
+}
+
+void Project::finish() {
+    impl_->change([&] {
+        if (impl_->progress.is_finished) return;
+        impl_->take(impl_->follower.finish());
+        impl_->set_progress({impl_->progress.position, true});
+        if (impl_->home == Impl::Home::file) impl_->save();
+    });
+}
+
+EditRecord Project::edit(const Edit& edit) {
+    return impl_->change([&] {
+        impl_->file.require_whole();
+        EditRecord record{0, impl_->follower.num_scans(), edit, EditState::done};
+        Edit& made = record.edit;
+        if (made.kind == EditKind::rename) made.name = io::trimmed_room_name(edit.name);
+        const Edited edited = impl_->follower.edit(made);
+        made.room = edited.inverse.room;
+        made.other = edited.inverse.other;
+        if (made.kind == EditKind::split) {
+            const SplitLine& line = edited.inverse.lines.front();
+            made.from = middle_of(line.from, options().resolution_m);
+            made.to = middle_of(line.to, options().resolution_m);
+        }
+        record.number = impl_->file.add(record, edited.inverse);
+        impl_->note(record);
+        impl_->tell(edited.update);
+        return record;
+    });
+}
+
+EditRecord Project::undo() {
+    return impl_->change([&] {
+        const std::vector<EditRecord>& all = impl_->history;
+        const auto last = std::find_if(all.rbegin(), all.rend(), [](const EditRecord& record) {
+            return record.state == EditState::done || record.state == EditState::fixed;
+        });
+        if (last == all.rend()) throw InputError("there is nothing to undo");
+        if (last->state == EditState::fixed) {
+            throw InputError("edit " + std::to_string(last->number) +
+                             " was made by a version of quadcut that did not keep how to undo it");
+        }
+        return impl_->reverse(*last, EditState::undone);
+    });
+}
+
+EditRecord Project::redo() {
+    return impl_->change([&] {
+        for (const EditRecord& record : impl_->history) {
+            if (record.state == EditState::undone) return impl_->reverse(record, EditState::done);
+        }
+        throw InputError("there is nothing to redo: no edit was undone since the last was made");
+    });
+}
+
+void Project::save() {
+    impl_->change([&] {
+        if (impl_->home == Impl::Home::file) impl_->save();
+    });
+}
+
+std::string Project::file_bytes() {
+    return impl_->change([&] {
+        impl_->save();
+        return impl_->file.file_bytes();
+    });
+}
+
+std::shared_ptr<const Snapshot> Project::snapshot(std::uint64_t at_least) const {
+    std::unique_lock lock(impl_->mutex);
+    for (;;) {
+        const std::uint64_t held = impl_->latest ? impl_->latest->revision() : 0;
+        if (impl_->latest && held == impl_->state.revision) return impl_->latest;
+        if (impl_->turn == impl_->next_turn) {
+            const Impl::Turn own(*impl_, std::move(lock));
+            return impl_->publish();
+        }
+        impl_->is_wanted = true;
+        if (impl_->latest && held >= at_least) return impl_->latest;
+        impl_->is_over.wait(lock);
+    }
+}
+
+ProjectState Project::state() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->state;
+}
+
+std::vector<EditRecord> Project::history() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->history;
+}
+
+std::optional<ScanPosition> Project::position() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->progress.position;
+}
+
+const FollowOptions& Project::options() const { return impl_->file.options(); }
+
+EditRecord Project::Impl::reverse(EditRecord record, EditState becomes) {
+    file.require_whole();
     try {
-        const Edited edited = follower.apply(read_inverse(database_, record));
-        add(edited.update, "");
-        write_inverse(database_, record.number, state, edited.inverse);
+        const Edited edited = follower.apply(file.inverse_of(record));
+        record.state = becomes;
+        file.set_state(record, edited.inverse);
+        note(record);
+        tell(edited.update);
     } catch (const InputError& error) {
         throw InputError("edit " + std::to_string(record.number) + " cannot be " +
-                         (state == EditState::undone ? "undone" : "made again") +
+                         (becomes == EditState::undone ? "undone" : "made again") +
                          " after what was seen since: " + error.what());
     }
-    record.state = state;
     return record;
 }
 
-void Project::save(Follower& follower, const LogPosition& position) {
-    if (is_broken_) {
-        throw InputError(io::display_name(database_.path()) +
-                         ": a save has failed; it holds what was saved before");
+/// What was undone before a new edit cannot be made again.
+void Project::Impl::note(const EditRecord& record) {
+    const std::lock_guard lock(mutex);
+    const auto same = std::find_if(history.begin(), history.end(), [&](const EditRecord& earlier) {
+        return earlier.number == record.number;
+    });
+    if (same != history.end()) {
+        *same = record;
+        return;
     }
-    // Until all is written: what a save that fails has taken from the follower is not lost unseen.
-    is_broken_ = true;
-    write_waiting();
-    write_state(database_, follower.state_since_save());
-    write_position(database_, position);
-    database_.run("COMMIT");
-    waiting_ = {};
-    position_ = position;
-    database_.run("BEGIN IMMEDIATE");
-    is_broken_ = false;
-}
-
-void Project::write_waiting() {
-    Statement line(database_, "INSERT INTO updates(line) VALUES(?)");
-    for (const std::string& text : waiting_.lines) line.bind(1, std::string_view(text)).run();
-    Statement event(database_,
-                    "INSERT INTO lineage(scan, event, room, other, reason) VALUES(?, ?, ?, ?, ?)");
-    for (const auto& [scan, life] : waiting_.events) {
-        event.bind(1, static_cast<std::int64_t>(scan))
-            .bind(2, std::string_view(io::name_of(life.life)))
-            .bind(3, static_cast<std::int64_t>(index(life.room)))
-            .bind(4, static_cast<std::int64_t>(index(life.other)))
-            .bind(5, std::string_view(life.reason))
-            .run();
+    for (EditRecord& earlier : history) {
+        if (earlier.state == EditState::undone) earlier.state = EditState::dropped;
     }
+    history.push_back(record);
 }
-
-}  // namespace quadcut::store
+}  // namespace quadcut

@@ -5,92 +5,121 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "project/database.hpp"
-#include "project/edit_history.hpp"
+#include "project/access.hpp"
+#include "project/edit_record.hpp"
+#include "project/scan_position.hpp"
+#include "project/snapshot.hpp"
+#include "quadcut/base/run_options.hpp"
+#include "quadcut/follow/edit.hpp"
 #include "quadcut/follow/follower.hpp"
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/scan.hpp"
 
-namespace quadcut::store {
+namespace quadcut {
 
-/// The log that a project follows, and how far.
-struct LogPosition {
-    std::string log;
-    std::uint64_t log_hash = 0;
-    /// Scans of the log that are done, those left out included.
-    std::size_t num_done = 0;
-    std::size_t num_left_out = 0;
-    /// Why the first of these was left out.
-    std::string first_left_out;
-    bool is_finished = false;
+/// How far a project is.
+struct ProjectState {
+    /// Grows with each change of the map, its rooms or their names; 0 when it was opened.
+    std::uint64_t revision = 0;
+    std::size_t num_scans = 0;
+    std::size_t num_rooms = 0;
 };
 
-/// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
-/// edits, options and the position in the log; docs/formats.md describes its tables. What is saved
-/// is saved as a whole: a program killed at any moment leaves the last save. One program writes at
-/// a time, others may read. All errors are InputError, name the file, and leave it valid.
+/// A living building: the map of a robot's scans with its rooms, and what people change in them,
+/// kept in a file, or in memory only. Any thread may call: changes are made one after the other, in
+/// the order of the calls, and who only reads waits for none of them (see snapshot()).
+///
+/// The file is one SQLite database (docs/formats.md). What is saved is saved as a whole: a program
+/// killed at any moment leaves the last save. Unless it is said otherwise all errors are
+/// InputError, which name the file, if it is about that, and leave it valid and the building as it
+/// was.
 class Project {
 public:
-    /// A new project, at a name that is free, as make_database_file() makes it.
+    /// A new one at a name that is free.
     [[nodiscard]] static Project create(const std::filesystem::path& path,
-                                        const FollowOptions& options, const LogPosition& position);
-    /// One without a file, whose bytes become one at the end; `path` stands in messages.
-    [[nodiscard]] static Project in_memory(const std::filesystem::path& path,
-                                           const FollowOptions& options,
-                                           const LogPosition& position);
-    /// Opens one; refused: no project file, one of a newer version, one that another program
-    /// writes to. The first save makes one of an older version one of this.
-    Project(const std::filesystem::path& path, Access access);
+                                        const FollowOptions& options,
+                                        const std::optional<ScanPosition>& position = {},
+                                        const RunOptions& run = {});
+    /// Goes on where it was saved last. Refused: no project file, one of a newer version, one that
+    /// another program writes to. The first save makes one of an older version one of this.
+    /// O(project).
+    [[nodiscard]] static Project open(const std::filesystem::path& path, Access access,
+                                      const RunOptions& run = {});
+    /// The project of a source of scans, which is made, in a folder that is made, if it is not
+    /// there. Refused as above, and when it was begun with another source or with options that give
+    /// another result.
+    [[nodiscard]] static Project open_or_create(const std::filesystem::path& path,
+                                                const FollowOptions& options,
+                                                const ScanPosition& source,
+                                                const RunOptions& run = {});
+    /// One without a file.
+    [[nodiscard]] static Project in_memory(const FollowOptions& options,
+                                           const std::optional<ScanPosition>& position = {},
+                                           const RunOptions& run = {});
+    Project(Project&&) noexcept;
+    Project& operator=(Project&&) = delete;
+    Project(const Project&) = delete;
+    Project& operator=(const Project&) = delete;
+    /// What was not saved is lost.
+    ~Project();
 
-    [[nodiscard]] const FollowOptions& options() const { return options_; }
-    [[nodiscard]] const LogPosition& position() const { return position_; }
-    /// The follower as it was when last saved. O(project).
-    [[nodiscard]] Follower follower(std::size_t num_threads = 2) const;
-    /// The lines of updates.jsonl so far.
-    [[nodiscard]] std::string update_lines() const;
-    /// All edits of people, the first first.
-    [[nodiscard]] std::vector<EditRecord> edits() const { return read_edits(database_); }
+    // Changes. A project that was opened to be read has none: std::logic_error.
 
-    /// Adds to what the next save writes. An empty line is none.
-    void add(const FollowUpdate& update, std::string_view line);
-    void add(const EditRecord& record, const Edited& edited);
+    /// Adds a scan, as Follower::add_scan(). Saves when the last save is half a second old: with
+    /// the longest update and the time of a save, less than a second is ever lost. When that fails,
+    /// the scan is added nevertheless.
+    FollowUpdate add(const Scan& scan);
+    /// Sets cells, as Follower::update_cells(); saves as above.
+    FollowUpdate add(const Raster<CellState>& patch);
+    /// Adds the next scan of its source, and moves the position on. One that cannot be used is left
+    /// out and counted, with its place if that is known ("line 12"): a robot's log goes on. Saves
+    /// as above. @pre there is a position
+    std::optional<FollowUpdate> add_next(const Scan& scan, std::string_view place = {});
+    /// Where the source is; saved by the next save.
+    void set_position(const std::optional<ScanPosition>& position);
+    /// Decides a part of a room again: what idle time is for. False when there is nothing to do.
+    /// The update that comes next tells what became of it.
+    bool refine();
+    /// Cuts what is left, and saves; nothing when that was done, and nothing was added since.
+    void finish();
+    /// Changes rooms as Follower::edit() does; a name is kept without the spaces at its ends.
+    /// Returns what was done. Not saved before the next save.
+    EditRecord edit(const Edit& edit);
     /// Takes the last edit back that holds, or makes the first again of those that were undone
-    /// last; the next save writes it. Returns which. Throws InputError, with nothing changed, when
-    /// there is none, or when it says why that is not possible any more.
-    EditRecord undo(Follower& follower);
-    EditRecord redo(Follower& follower);
-    /// Writes all that has changed since the last save; after one that has failed, none can be
-    /// made. O(changes).
-    void save(Follower& follower, const LogPosition& position);
+    /// last, and returns which. Throws InputError when there is none, or when it says why that is
+    /// not possible any more.
+    EditRecord undo();
+    EditRecord redo();
+    /// Writes all that has changed since the last save; after one that has failed none can be made.
+    /// Nothing in memory. O(changes).
+    void save();
 
-    /// What a file of this project holds, as it was last saved.
-    [[nodiscard]] std::string file_bytes() const { return database_.file_bytes(); }
-    /// "ok", or what is wrong with the file.
-    [[nodiscard]] std::string integrity() const { return database_.integrity(); }
-    /// No file of more pages than this; for tests of a full disk.
-    void limit_pages(std::int64_t pages) { database_.limit_pages(pages); }
+    // Questions.
+
+    /// The building after the last change, or after an earlier one while another is being made,
+    /// but not before revision `at_least`. It is made at most once a revision, and handed out to
+    /// all who ask. A reader waits only while there is none at all, or none so late.
+    [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t at_least = 0) const;
+    /// After the last change.
+    [[nodiscard]] ProjectState state() const;
+    /// All edits of people, the first first.
+    [[nodiscard]] std::vector<EditRecord> history() const;
+    [[nodiscard]] std::optional<ScanPosition> position() const;
+    [[nodiscard]] const FollowOptions& options() const;
+
+    /// A file that holds all, saved or not. @pre it was not opened to be read. Waits for changes.
+    [[nodiscard]] std::string file_bytes();
 
 private:
-    explicit Project(Database database) : database_(std::move(database)) {}
-    void check_form() const;
-    void bring_up_to_date();
-    EditRecord turn(Follower& follower, EditRecord record, EditState state);
-    void write_waiting();
-    void read_options();
-    void read_position();
-
-    Database database_;
-    FollowOptions options_;
-    LogPosition position_;
-    struct Waiting {
-        std::vector<std::string> lines;
-        std::vector<std::pair<std::size_t, LifeEvent>> events;
-    };
-    Waiting waiting_;
-    bool is_broken_ = false;
+    struct Impl;
+    explicit Project(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace quadcut::store
+}  // namespace quadcut

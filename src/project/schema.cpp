@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace quadcut::store {
+namespace quadcut::project {
 
 std::span<const Table> tables() {
     static constexpr std::array<Table, 15> kTables{{
@@ -48,4 +48,4 @@ std::span<const Table> tables() {
     return kTables;
 }
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

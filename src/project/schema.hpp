@@ -6,11 +6,11 @@
 #include <span>
 #include <string_view>
 
-namespace quadcut::store {
+namespace quadcut::project {
 
 /// "QCUT".
 inline constexpr std::int64_t kApplicationId = 0x51435554;
-inline constexpr std::int64_t kFormatVersion = 2;
+inline constexpr std::int64_t kFormatVersion = 3;
 
 struct Table {
     std::string_view name;
@@ -22,4 +22,4 @@ struct Table {
 /// All tables, by name. A file with any other is no project file.
 [[nodiscard]] std::span<const Table> tables();
 
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/map_picture.hpp"
 #include "reproduce/position_clusters.hpp"
@@ -19,10 +20,10 @@ namespace {
 constexpr double kMinPartM2 = 4.0;
 
 /// What the preset makes of the map.
-Segmentation segmented(const World& world, const SegmentOptions& options) {
+Segmentation segmented(const World& world, const SegmentOptions& options, const RunOptions& run) {
     // As many submaps as were asked for are all shown, crossed by the robot or not.
     const bool is_told = options.preset == Preset::paper && options.paper.num_submaps != 0;
-    return segment(world.map, options, is_told ? std::vector<Point>{} : world.trajectory);
+    return segment(world.map, options, run, is_told ? std::vector<Point>{} : world.trajectory);
 }
 
 std::string caption(const std::string& method, const Contender& contender) {
@@ -44,8 +45,8 @@ Contest hold_contest(const World& world, std::size_t num_submaps, const Setup& s
     std::vector<std::uint32_t> clusters;
     const std::vector<double> times_ms = least_ms(
         setup.size == Size::full ? 3 : 1,
-        {[&] { contest.paper.rooms = segmented(world, setup.paper(num_submaps)); },
-         [&] { contest.rooms.rooms = segmented(world, setup.rooms()); },
+        {[&] { contest.paper.rooms = segmented(world, setup.paper(num_submaps), setup.run); },
+         [&] { contest.rooms.rooms = segmented(world, setup.rooms(), setup.run); },
          [&] {
              const std::size_t count = contest.paper.rooms.rooms.size();
              clusters = cluster_positions(leaves.table, leaves.nodes,

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/base/parallel.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/segment/options.hpp"
 #include "reproduce/figure.hpp"
 #include "reproduce/followed.hpp"
@@ -16,14 +16,13 @@ namespace quadcut::reproduce {
 
 /// How experiments are to run.
 struct Setup {
-    std::size_t num_threads = 2;
+    RunOptions run;
     std::uint64_t seed = 1;
     Size size = Size::full;
 
-    [[nodiscard]] Executor executor() const { return {static_cast<int>(num_threads)}; }
+    [[nodiscard]] Executor executor() const { return run.executor(); }
     [[nodiscard]] SegmentOptions rooms() const {
         SegmentOptions options;
-        options.num_threads = num_threads;
         options.seed = seed;
         return options;
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "quadcut/map/integrate.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "reproduce/contest.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/map_graph.hpp"

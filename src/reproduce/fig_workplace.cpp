@@ -69,10 +69,11 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
     const GridMap map = map_from_scans(world.scans, kWorkplaceResolutionM).to_grid();
     const MapGraph graph = graph_of(map, SelfLoops::none, setup.executor());
     const GridMap open_map = with_two_states(map);
-    const Segmentation chosen = as_submaps(segment(map, setup.paper(0), world.trajectory));
-    const Segmentation told = segment(map, setup.paper(kInnerSubmaps));
-    const Segmentation open = as_submaps(segment(open_map, setup.paper(0)));
-    const Segmentation rooms = segment(map, setup.rooms(), world.trajectory);
+    const Segmentation chosen =
+        as_submaps(segment(map, setup.paper(0), setup.run, world.trajectory));
+    const Segmentation told = segment(map, setup.paper(kInnerSubmaps), setup.run);
+    const Segmentation open = as_submaps(segment(open_map, setup.paper(0), setup.run));
+    const Segmentation rooms = segment(map, setup.rooms(), setup.run, world.trajectory);
     const std::size_t num_outside = count_outside(open, open_map, world);
     const std::size_t num_inside = open.rooms.size() - num_outside;
 
@@ -83,9 +84,8 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
         "Laser scans, the graph G, the quadtree and the submaps: five inner ones of high cohesion "
         "and low coupling. Inside and outside are not told apart, so the outside is divided, too.";
     figure.setting =
-        "The simulated workplace on cells of 10 cm. Only seen cells are free; the last "
-        "picture takes all that is not occupied for free, as the paper's Algorithm 1 "
-        "does.";
+        "The simulated workplace on cells of 10 cm. Only seen cells are free; the last picture "
+        "takes all that is not occupied for free, as the paper's Algorithm 1 does.";
     figure.pictures = {
         scans_picture("fig11_scans.png", world.scans, map, "(a) Laser scans and the robot's way"),
         quadtree_picture("fig11_quadtree.png", map, "The quadtree: its leaves"),
@@ -131,9 +131,9 @@ Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace, const Set
     const Followed& rooms = workplace.rooms;
     // What Fig 11 shows.
     const GridMap map = map_from_scans(world.scans, kWorkplaceResolutionM).to_grid();
-    const Segmentation batch_paper = segment(map, setup.paper(0), world.trajectory);
+    const Segmentation batch_paper = segment(map, setup.paper(0), setup.run, world.trajectory);
     const GridMap fine_map = map_from_scans(world.scans, kResolutionM).to_grid();
-    const Segmentation batch_rooms = segment(fine_map, setup.rooms(), world.trajectory);
+    const Segmentation batch_rooms = segment(fine_map, setup.rooms(), setup.run, world.trajectory);
     const double like_paper = agreement_percent(paper.map(), paper.rooms(), map, batch_paper);
     const double like_rooms = agreement_percent(rooms.map(), rooms.rooms(), fine_map, batch_rooms);
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "quadcut/follow/followed_map.hpp"
 #include "reproduce/partition.hpp"
 
 namespace quadcut::reproduce {
@@ -32,12 +33,12 @@ double count_free_leaves(const OccupancyMap& map) {
 
 }  // namespace
 
-Followed follow(const World& world, const SegmentOptions& options, double resolution_m,
-                std::size_t num_moments) {
+Followed follow(const World& world, const SegmentOptions& options, const RunOptions& run,
+                double resolution_m, std::size_t num_moments) {
     FollowOptions follow_options;
     follow_options.segment = options;
     follow_options.resolution_m = resolution_m;
-    Follower follower(follow_options);
+    Follower follower(follow_options, run);
     Followed result;
     const auto keep = [&result](FollowUpdate update, double at) {
         update.events.clear();

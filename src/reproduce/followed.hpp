@@ -33,7 +33,7 @@ struct Followed {
 
 /// @pre the world has scans; num_moments > 0.
 [[nodiscard]] Followed follow(const World& world, const SegmentOptions& options,
-                              double resolution_m, std::size_t num_moments);
+                              const RunOptions& run, double resolution_m, std::size_t num_moments);
 
 /// The middle one of some values; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/file_batch.hpp"
+#include "quadcut/version.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/timing.hpp"
 
@@ -43,8 +44,8 @@ Worlds make_worlds(const Options& options, Parts& parts) {
 }
 
 FollowedTwice follow_twice(const World& world, double paper_resolution_m, const Setup& setup) {
-    return {follow(world, setup.paper(0), paper_resolution_m, kNumMoments),
-            follow(world, setup.rooms(), kResolutionM, kNumMoments)};
+    return {follow(world, setup.paper(0), setup.run, paper_resolution_m, kNumMoments),
+            follow(world, setup.rooms(), setup.run, kResolutionM, kNumMoments)};
 }
 
 }  // namespace
@@ -52,9 +53,9 @@ FollowedTwice follow_twice(const World& world, double paper_resolution_m, const 
 Report measure(const Options& options, const OnPart& on_part) {
     const auto start = std::chrono::steady_clock::now();
     Parts parts(on_part);
-    const Setup setup{options.num_threads, options.seed, options.size};
+    const Setup setup{{options.num_threads}, options.seed, options.size};
     Report report;
-    report.version = QUADCUT_VERSION;
+    report.version = kVersion;
     report.command = options.command;
     report.machine = this_machine();
     report.num_threads = options.num_threads;

@@ -23,10 +23,9 @@ using testing::HasSubstr;
 /// A project of two rooms: 1 on the left of x = 5 m, 2 on the right.
 std::string two_rooms(const Folder& folder) {
     const std::string path = folder / "p.quadcut";
-    store::Project project = store::Project::create(path, {}, {});
-    Follower follower = project.follower();
-    follower.update_cells(hall_with_wall());
-    project.save(follower, {});
+    Project project = Project::create(path, {});
+    project.add(hall_with_wall());
+    project.save();
     return path;
 }
 
@@ -148,7 +147,7 @@ TEST(LocateCommand, OutsideOfRoomsItSaysTheNearest) {
     EXPECT_THAT(locate(folder / "out", "-50", "0").out, HasSubstr("no room; the nearest is "));
 
     const std::string empty = folder / "empty.quadcut";
-    static_cast<void>(store::Project::create(empty, {}, {}));
+    static_cast<void>(Project::create(empty, {}));
     EXPECT_EQ(locate(empty, "0", "0").exit_code, 1);
     EXPECT_THAT(locate(empty, "0", "0").out, HasSubstr("there is none on the map"));
 }

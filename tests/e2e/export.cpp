@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +52,44 @@ TEST(Export, OfAFolderWritesItAgainWithTheNamesThatItHasNow) {
     }
     EXPECT_NE(after["rooms_color.png"], before["rooms_color.png"]);
     EXPECT_EQ(after["rooms.png"], before["rooms.png"]);
+}
+
+TEST(Export, WritesOnlyTheFormatsThatAreNamed) {
+    const Folder folder;
+    const std::string map = folder.write("a.pgm", office_pgm());
+    expect_done({"segment", map, "-o", folder / "rooms"});
+    auto before = files_below(folder / "rooms");
+    const Outcome outcome =
+        expect_done({"export", folder / "rooms", "-o", folder / "some", "--as", "geojson,labels"});
+    EXPECT_NE(outcome.out.find("some: rooms.geojson rooms.png rooms.yaml\n"), std::string::npos)
+        << outcome.out;
+    auto after = files_below(folder / "some");
+    ASSERT_EQ(after.size(), 3U);
+    for (const auto& [name, bytes] : after) EXPECT_EQ(bytes, before[name]) << name;
+    expect_done({"export", folder / "rooms", "-o", folder / "one", "--as", "report"});
+    EXPECT_EQ(files_below(folder / "one"),
+              (std::map<std::string, std::string>{{"report.json", before["report.json"]}}));
+}
+
+TEST(Export, RefusesFormatsThatAreNotThere) {
+    const Folder folder;
+    const std::string map = folder.write("a.pgm", office_pgm());
+    expect_done({"segment", map, "-o", folder / "rooms"});
+    const Outcome unknown =
+        run_quadcut({"export", folder / "rooms", "-o", folder / "out", "--as", "svg,geojsn"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("--as: 'geojsn' is no format, expected picture, svg, "),
+              std::string::npos)
+        << unknown.err;
+    EXPECT_NE(unknown.err.find("did you mean 'geojson'?"), std::string::npos) << unknown.err;
+    const Outcome missing =
+        run_quadcut({"export", folder / "rooms", "-o", folder / "out", "--as", "updates"});
+    EXPECT_EQ(missing.exit_code, 2);
+    EXPECT_NE(missing.err.find("updates.jsonl: is not there to be exported"), std::string::npos)
+        << missing.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    const std::string help = run_quadcut({"export", "--help"}).out;
+    EXPECT_NE(help.find("labels (rooms.png,"), std::string::npos) << help;
 }
 
 TEST(Export, OfAFolderSaysWhenItsMapIsGone) {

@@ -63,6 +63,26 @@ TEST(MapOfLog, Resolution) {
     EXPECT_EQ(io::read_map(folder / "out/map.yaml").map.resolution_m, 0.1);
 }
 
+TEST(MapOfLog, OptionsOfScansCount) {
+    const Folder folder;
+    const std::string log = folder.write("one.log", room_scan(0, 0, 1));
+    const auto free_m2 = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> command{"map", log, "-o", folder / "out", "--force", "--json"};
+        command.insert(command.end(), more.begin(), more.end());
+        return nlohmann::json::parse(run_quadcut(command).out).at("free_m2").get<double>();
+    };
+    EXPECT_LT(free_m2({"--set", "scan.max_range=1"}), 0.3 * free_m2({}));
+    ASSERT_EQ(
+        run_quadcut({"segment", log, "-o", folder / "rooms", "--set", "scan.miss=-2"}).exit_code,
+        0);
+    const auto report = nlohmann::json::parse(read_bytes(folder / "rooms/report.json"));
+    EXPECT_EQ(report.at("options").at("scan.miss"), -2);
+    EXPECT_FALSE(report.at("options").contains("scan.hit"));
+    const Outcome outcome =
+        run_quadcut({"map", log, "-o", folder / "out", "--set", "door_width=2"});
+    EXPECT_EQ(outcome.exit_code, 2);
+}
+
 TEST(MapOfLog, GarbageLinesAndBadRangesAreSkippedWithAWarning) {
     const Folder folder;
     const std::string bad =

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "project/project_file.hpp"
 #include "quadcut/base/random.hpp"
 #include "tests/e2e/program.hpp"
 
@@ -62,11 +63,10 @@ TEST(ProjectFile, SurvivesBeingKilledAtAnyMoment) {
     for (int i = 0; i < 10; ++i) {
         if (run_and_kill(follow, random.uniform(0.001, 0.8 * whole.count()))) break;
         if (!std::filesystem::exists(project)) continue;
-        const store::Project saved(project, store::Access::read);
-        EXPECT_EQ(saved.integrity(), "ok");
-        EXPECT_GE(saved.position().num_done, num_done) << "what was saved is never lost";
-        num_done = saved.position().num_done;
-        static_cast<void>(saved.follower());
+        EXPECT_EQ(project::ProjectFile(project, Access::read).integrity(), "ok");
+        const std::size_t saved = Project::open(project, Access::read).position()->num_done;
+        EXPECT_GE(saved, num_done) << "what was saved is never lost";
+        num_done = saved;
     }
     const Outcome outcome = run_quadcut(follow);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -139,8 +139,18 @@ TEST(ProjectFile, BelongsToOneLogAndOneSetOfOptions) {
     EXPECT_THAT(run_quadcut(wider).err, HasSubstr("was begun with door_width = 4"));
     std::vector<std::string> finer = follow;
     finer.insert(finer.end(), {"--resolution", "0.1"});
-    EXPECT_EQ(run_quadcut(finer).exit_code, 2);
+    EXPECT_THAT(run_quadcut(finer).err, HasSubstr("was begun with resolution = 0.05"));
+    for (const std::string set : {"scan.max_range=10", "follow.min_change=3"}) {
+        std::vector<std::string> changed = follow;
+        changed.insert(changed.end(), {"--set", set});
+        EXPECT_THAT(run_quadcut(changed).err,
+                    HasSubstr("was begun with " + set.substr(0, set.find('=')) + " = "));
+    }
     EXPECT_EQ(read_bytes(project), before);
+    std::vector<std::string> faster = follow;
+    faster.insert(faster.end(), {"--threads", "1"});
+    EXPECT_EQ(run_quadcut(faster).exit_code, 0);
+    EXPECT_THAT(read_bytes(folder / "out/report.json"), Not(HasSubstr("scan.")));
     follow[5] = folder.write("text", "no project");
     EXPECT_EQ(run_quadcut(follow).exit_code, 2);
     EXPECT_EQ(read_bytes(folder / "text"), "no project");
@@ -165,7 +175,7 @@ TEST(ProjectFile, AFullDiskIsAnErrorAndWhatWasSavedStays) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("p.quadcut"));
     EXPECT_THAT(outcome.err, HasSubstr("the file holds what was saved before"));
-    EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+    EXPECT_EQ(project::ProjectFile(project, Access::read).integrity(), "ok");
     // With room again it goes on.
     EXPECT_EQ(run_quadcut({"follow", log, "-o", folder / "out", "--project", project, "--quiet"})
                   .exit_code,
@@ -248,7 +258,7 @@ TEST(FollowCommand, OddLinesAreCountedAndTheRestIsFollowed) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("odd.log")) << "a warning counts the lines";
     EXPECT_GT(Json::parse(outcome.out).at("num_rooms").get<int>(), 3);
-    EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+    EXPECT_EQ(project::ProjectFile(project, Access::read).integrity(), "ok");
 }
 
 /// What lies beside each other and begins with the project's name.
@@ -294,7 +304,7 @@ TEST(ProjectFile, SlowOfProgramsThatMakeItAtOnceOneWins) {
         // Who waited until the first had ended goes on from there.
         EXPECT_GE(num_winners, 1);
         EXPECT_EQ(project_files(folder), std::vector<std::string>{"p.quadcut"});
-        EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+        EXPECT_EQ(project::ProjectFile(project, Access::read).integrity(), "ok");
     }
 }
 
@@ -315,7 +325,7 @@ TEST(ProjectFile, SlowAKillWhileItIsMadeLeavesNothing) {
                 << name;
         }
         if (std::filesystem::exists(project)) {
-            EXPECT_EQ(store::Project(project, store::Access::read).integrity(), "ok");
+            EXPECT_EQ(project::ProjectFile(project, Access::read).integrity(), "ok");
         }
     }
     EXPECT_EQ(run_quadcut(follow).exit_code, 0);
@@ -329,7 +339,7 @@ TEST(ProjectFile, TwoProgramsDoNotWriteAtOnce) {
     const std::vector<std::string> follow{"follow",    log,     "-o",     folder / "out",
                                           "--project", project, "--quiet"};
     ASSERT_EQ(run_quadcut(follow).exit_code, 0);
-    const store::Project writer(project, store::Access::write);
+    const Project writer = Project::open(project, Access::write);
     const Outcome second = run_quadcut(follow);
     EXPECT_EQ(second.exit_code, 2);
     EXPECT_THAT(second.err, HasSubstr("another program is writing to it"));

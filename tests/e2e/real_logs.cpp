@@ -78,8 +78,7 @@ TEST(SlowRealLogs, AWholeMapHasTheRoomsOfAWindowThatHoldsIt) {
     const Raster<std::uint8_t> free = mask_of(map, CellState::free);
     const auto rooms_of = [&](const auto& add_beyond, Hierarchy* hierarchy) {
         StageClock clock;
-        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, 1, clock, {2},
-                              hierarchy)
+        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, clock, {2}, hierarchy)
             .rooms.values;
     };
     // A window keeps its pieces beside its rooms, a whole map only where a hierarchy is asked for.

@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         try {
             const std::size_t before = map.num_leaves();
             const quadcut::MapUpdate update = quadcut::integrate_scan(map, scan);
-            if (map.num_leaves() > before + update.rebuilt.size()) __builtin_trap();
+            if (map.num_leaves() > before + update.nodes_rebuilt) __builtin_trap();
         } catch (const quadcut::InputError&) {
         }
         if (map.leaves().size() != map.num_leaves()) __builtin_trap();

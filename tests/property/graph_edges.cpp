@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -9,10 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/map/free_leaves.hpp"
-#include "quadcut/map/morton.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
-#include "quadcut/rooms/border_edges.hpp"
 #include "tests/unit/paper/small_map.hpp"
 
 namespace quadcut {
@@ -21,20 +18,13 @@ namespace {
 /// A leaf by its place, which survives a change of the list of leaves.
 using Place = std::tuple<std::int32_t, std::int32_t, std::int32_t>;
 using EdgeMap = std::map<std::pair<Place, Place>, double>;
-using EdgeFunction = std::vector<WeightedEdge> (*)(const LeafTable&, std::span<const LeafId>);
 
 std::vector<WeightedEdge> sight(const LeafTable& table, std::span<const LeafId> nodes) {
     return sight_edges(table, nodes, 0.05);
 }
 
-std::vector<WeightedEdge> border(const LeafTable& table, std::span<const LeafId> nodes) {
-    return border_edges(table, nodes);
-}
-
-constexpr std::array<EdgeFunction, 2> kKinds{sight, border};
-
 /// The edges of a whole map; each once, whichever end came first.
-EdgeMap edge_map(const test::States& states, EdgeFunction edges_of) {
+EdgeMap edge_map(const test::States& states) {
     const LeafTable table = test::table_of(states);
     const std::vector<LeafId> nodes = test::free_leaves(table);
     EdgeMap edges;
@@ -42,7 +32,7 @@ EdgeMap edge_map(const test::States& states, EdgeFunction edges_of) {
         const Leaf& leaf = table.leaf(nodes[node]);
         return Place{leaf.lower_left.x, leaf.lower_left.y, leaf.side_cells()};
     };
-    for (const WeightedEdge& edge : edges_of(table, nodes)) {
+    for (const WeightedEdge& edge : sight(table, nodes)) {
         const Place a = place(edge.a);
         const Place b = place(edge.b);
         EXPECT_TRUE(edges.emplace(std::minmax(a, b), edge.weight).second) << "stored twice";
@@ -64,29 +54,27 @@ TEST(EdgeProperties, TurningAndMirroringTheMapTurnsTheEdges) {
     Random random(41);
     for (int round = 0; round < 20; ++round) {
         const test::States states = test::random_map(random, 16, random.uniform(0.0, 0.1));
-        for (const EdgeFunction kind : kKinds) {
-            const EdgeMap edges = edge_map(states, kind);
-            for (unsigned symmetry = 1; symmetry < 8; ++symmetry) {
-                const auto turn = [&](Cell low, std::int32_t block) {
-                    return turned(low, block, states.width, states.origin, symmetry);
-                };
-                test::States other = states;
-                for (std::size_t i = 0; i < states.values.size(); ++i) {
-                    other.at(turn(states.cell(i), 1)) = states.values[i];
-                }
-                const auto turn_place = [&](const Place& place) {
-                    const auto [x, y, block] = place;
-                    const Cell low = turn({x, y}, block);
-                    return Place{low.x, low.y, block};
-                };
-                EdgeMap expected;
-                for (const auto& [pair, weight] : edges) {
-                    const Place first = turn_place(pair.first);
-                    const Place second = turn_place(pair.second);
-                    expected[{std::min(first, second), std::max(first, second)}] = weight;
-                }
-                EXPECT_EQ(edge_map(other, kind), expected) << "symmetry " << symmetry;
+        const EdgeMap edges = edge_map(states);
+        for (unsigned symmetry = 1; symmetry < 8; ++symmetry) {
+            const auto turn = [&](Cell low, std::int32_t block) {
+                return turned(low, block, states.width, states.origin, symmetry);
+            };
+            test::States other = states;
+            for (std::size_t i = 0; i < states.values.size(); ++i) {
+                other.at(turn(states.cell(i), 1)) = states.values[i];
             }
+            const auto turn_place = [&](const Place& place) {
+                const auto [x, y, block] = place;
+                const Cell low = turn({x, y}, block);
+                return Place{low.x, low.y, block};
+            };
+            EdgeMap expected;
+            for (const auto& [pair, weight] : edges) {
+                const Place first = turn_place(pair.first);
+                const Place second = turn_place(pair.second);
+                expected[{std::min(first, second), std::max(first, second)}] = weight;
+            }
+            EXPECT_EQ(edge_map(other), expected) << "symmetry " << symmetry;
         }
     }
 }
@@ -100,8 +88,8 @@ TEST(EdgeProperties, AddingAWallNeverAddsASightEdge) {
         for (std::uint64_t n = 1 + random.below(3); n > 0; --n) {
             after.values[random.below(after.values.size())] = CellState::occupied;
         }
-        const EdgeMap old_edges = edge_map(before, sight);
-        const EdgeMap new_edges = edge_map(after, sight);
+        const EdgeMap old_edges = edge_map(before);
+        const EdgeMap new_edges = edge_map(after);
         const LeafTable old_table = test::table_of(before);
         const auto was_leaf = [&](const Place& place) {
             const auto [x, y, side] = place;
@@ -133,46 +121,13 @@ TEST(EdgeProperties, EdgesOfARegionAreThoseOfTheMapBetweenItsLeaves) {
             region.push_back(nodes[i]);
             chosen.push_back(i);
         }
-        for (const EdgeFunction kind : kKinds) {
-            const Graph whole = build_graph(kind(table, nodes), leaf_areas_m2(table, nodes, 0.05));
-            const Graph part = build_graph(kind(table, region), leaf_areas_m2(table, region, 0.05));
-            const Graph expected = induced_subgraph(whole, chosen);
-            EXPECT_EQ(part.row_begin, expected.row_begin);
-            EXPECT_EQ(part.columns, expected.columns);
-            EXPECT_EQ(part.weights, expected.weights);
-            EXPECT_EQ(part.area_m2, expected.area_m2);
-        }
-    }
-}
-
-TEST(EdgeProperties, BorderEdgesJoinTheSameComponentsAsTheCells) {
-    Random random(44);
-    for (int round = 0; round < 40; ++round) {
-        const test::States states = test::random_map(random, 32, 0.3);
-        // The same cells as single leaves: a quadtree that never merged.
-        std::vector<Leaf> cells;
-        const LeafTable table = test::table_of(states);
-        for (const Leaf& leaf : table.leaves()) {
-            for (std::int32_t z = 0; z < leaf.side_cells() * leaf.side_cells(); ++z) {
-                const std::int32_t x = leaf.lower_left.x + z % leaf.side_cells();
-                const std::int32_t y = leaf.lower_left.y + z / leaf.side_cells();
-                cells.push_back({{x, y}, 0, leaf.state});
-            }
-        }
-        const auto code = [&](const Leaf& leaf) {
-            return morton_code(table.root().position(0, leaf.lower_left));
-        };
-        std::sort(cells.begin(), cells.end(),
-                  [&](const Leaf& a, const Leaf& b) { return code(a) < code(b); });
-        const LeafTable fine(cells, table.root());
-        const auto num_components = [](const LeafTable& leaves) {
-            const std::vector<LeafId> nodes = test::free_leaves(leaves);
-            const auto components = connected_components(
-                build_graph(border_edges(leaves, nodes), leaf_areas_m2(leaves, nodes, 1.0)));
-            return components.empty() ? 0U
-                                      : *std::max_element(components.begin(), components.end()) + 1;
-        };
-        EXPECT_EQ(num_components(table), num_components(fine));
+        const Graph whole = build_graph(sight(table, nodes), leaf_areas_m2(table, nodes, 0.05));
+        const Graph part = build_graph(sight(table, region), leaf_areas_m2(table, region, 0.05));
+        const Graph expected = induced_subgraph(whole, chosen);
+        EXPECT_EQ(part.row_begin, expected.row_begin);
+        EXPECT_EQ(part.columns, expected.columns);
+        EXPECT_EQ(part.weights, expected.weights);
+        EXPECT_EQ(part.area_m2, expected.area_m2);
     }
 }
 

@@ -17,7 +17,8 @@
 namespace quadcut {
 namespace {
 
-constexpr BeamLimits kLimits{200.0, 5.0, 1.0};
+/// With cells of 1 m.
+constexpr IntegrateOptions kLimits{.usable_range_m = 200.0, .widest_gap_m = 5.0};
 
 struct RandomScan {
     Scan scan;

@@ -11,8 +11,9 @@
 #include "bench/building_case.hpp"
 #include "bench/building_score.hpp"
 #include "draw/floor_plan.hpp"
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/map_server.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 // What rooms are called, and whether a picture says it of each of them.
@@ -70,7 +71,8 @@ TEST(RoomKinds, SlowMostAreRightOnSimulatedBuildings) {
     std::size_t num_all = 0;
     for (std::size_t i = 0; i < kNumCombinations; ++i) {
         const MappedBuilding mapped = map_building(building_case(i));
-        const KindCounts counts = count_kinds(mapped, segment(mapped.map, {}, mapped.trajectory));
+        const KindCounts counts =
+            count_kinds(mapped, segment(mapped.map, {}, {}, mapped.trajectory));
         for (std::size_t truth = 0; truth < counts.size(); ++truth) {
             for (std::size_t found = 0; found < counts.size(); ++found) {
                 num_all += counts[truth][found];
@@ -105,7 +107,7 @@ void expect_words_for_all(const GridMap& map, const Segmentation& found) {
 TEST(RoomLabels, EachRoomHasItsNameOrItsNumber) {
     for (const std::size_t i : {1U, 3U}) {
         const MappedBuilding mapped = map_building(building_case(i));
-        expect_words_for_all(mapped.map, segment(mapped.map, {}, mapped.trajectory));
+        expect_words_for_all(mapped.map, segment(mapped.map, {}, {}, mapped.trajectory));
     }
 }
 

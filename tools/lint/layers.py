@@ -30,18 +30,28 @@ MAY_INCLUDE = {
     "apps": CORE | {"io", "draw", "formats", "project", "sim", "eval", "opencl", "reproduce"},
 }
 
+# Public header (include/quadcut) -> the layer whose door it is.
+PUBLIC = {
+    "version": "base", "error": "base", "executor": "base",
+    "map": "map", "scan": "map",
+    "result": "segment", "segment": "segment",
+    "options": "follow", "follower": "follow",
+    "io": "formats",
+    "project": "project",
+}
+
 
 def folder_of(path: str) -> str:
-    """The layer of a file of src/ or apps/, or of an include as it is written."""
-    parts = path.removeprefix("src/").split("/")
+    """The layer of a file of src/, include/ or apps/, or of an include as it is written."""
+    parts = path.removeprefix("src/").removeprefix("include/").split("/")
     if parts[0] == "quadcut":
-        return parts[1] if len(parts) > 2 else ""
+        return parts[1] if len(parts) > 2 else PUBLIC.get(parts[1].removesuffix(".hpp"), parts[1])
     return parts[0]
 
 
 def check(tree: Tree) -> list[str]:
     problems = []
-    for file in tree.sources("src", "apps"):
+    for file in tree.sources("src", "include", "apps"):
         problems += _check_file(tree, file)
     problems += _include_cycles(tree)
     return problems
@@ -59,7 +69,7 @@ def _check_file(tree: Tree, file: SourceFile) -> list[str]:
                 problems.append(f"{place}: <{include.target}> in a header; only the standard "
                                 "library may be, include it in one .cpp")
             continue
-        if _resolve(tree, include.target) is None:
+        if resolve(tree, include.target) is None:
             problems.append(f"{place}: '{include.target}' is not a file of ours; write includes "
                             "from src/, and others' in <>")
             continue
@@ -69,8 +79,8 @@ def _check_file(tree: Tree, file: SourceFile) -> list[str]:
     return problems
 
 
-def _resolve(tree: Tree, target: str) -> str | None:
-    for path in ("src/" + target, target):
+def resolve(tree: Tree, target: str) -> str | None:
+    for path in ("src/" + target, "include/" + target, f"include/{target}.in", target):
         if path in tree.files:
             return path
     return None
@@ -87,11 +97,11 @@ def _include_cycles(tree: Tree) -> list[str]:
         if path in done or path in trail:
             return
         for include in tree.files[path].includes():
-            target = None if include.system else _resolve(tree, include.target)
+            target = None if include.system else resolve(tree, include.target)
             if target is not None:
                 visit(target, trail + [path])
         done.add(path)
 
-    for file in tree.sources("src", "apps"):
+    for file in tree.sources("src", "include", "apps"):
         visit(file.path, [])
     return problems

@@ -11,9 +11,11 @@ from pathlib import Path
 
 import budgets
 import equations
+import fuzz_targets
 import generated
 import layers
 import names
+import public_headers
 import selftest
 import tidy
 from source import Tree, load_tree
@@ -57,8 +59,10 @@ def main() -> int:
     wings = ", ".join(f"{wing}: {budgets.num_lines(tree, wing)} of {limit} lines"
                       for wing, limit in budgets.MAX_LINES.items())
     report("budgets", budgets.check(tree), f" ({wings})")
+    report("public headers", public_headers.check(tree, fix))
     report("names", names.check(tree))
     report("equations", equations.check(tree))
+    report("fuzz targets", fuzz_targets.check(tree))
     program = ROOT / "build/release/quadcut"
     if program.is_file():
         report("generated", generated.check(ROOT, program, fix))

@@ -11,6 +11,9 @@ import equations
 import generated
 import layers
 import names
+import selftest_fuzz_targets
+import selftest_pins
+import selftest_public_headers
 import selftest_results
 from source import SourceFile, Tree
 
@@ -63,6 +66,7 @@ class Layers(unittest.TestCase):
             src__quadcut__base__a_hpp="#include <vector>\n",
             src__quadcut__map__a_hpp='#include "quadcut/base/a.hpp"\n',
             src__io__a_cpp='#include <png.h>\n#include "quadcut/map/a.hpp"\n',
+            include__quadcut__segment_hpp='#include "quadcut/map/a.hpp"\n',
             apps__main_cpp='#include "apps/b.hpp"\n', apps__b_hpp="")), [])
 
     def test_upward(self):
@@ -70,10 +74,13 @@ class Layers(unittest.TestCase):
                              ("src__quadcut__spectral__b_cpp", "quadcut/map/a.hpp"),
                              ("src__quadcut__segment__b_cpp", "io/a.hpp"),
                              ("src__quadcut__rooms__b_cpp", "quadcut/segment/a.hpp"),
+                             ("include__quadcut__map_hpp", "quadcut/segment/a.hpp"),
+                             ("src__quadcut__map__b_cpp", "quadcut/segment.hpp"),
                              ("src__io__b_cpp", "sim/a.hpp"), ("src__sim__b_cpp", "apps/a.hpp")):
             with self.subTest(path):
                 self.assertEqual(1, len(layers.check(tree_of(**{
                     path: f'#include "{target}"\n', "src__quadcut__segment__a_hpp": "",
+                    "include__quadcut__segment_hpp": "",
                     "src__quadcut__map__a_hpp": "", "src__io__a_hpp": "", "src__sim__a_hpp": "",
                     "apps__a_hpp": ""}))))
 
@@ -182,7 +189,9 @@ class Generated(unittest.TestCase):
 def run() -> list[str]:
     """What fails, one text each."""
     load = unittest.defaultTestLoader.loadTestsFromModule
-    suite = unittest.TestSuite([load(__import__(__name__)), load(selftest_results)])
+    modules = (__import__(__name__), selftest_fuzz_targets, selftest_pins, selftest_public_headers,
+               selftest_results)
+    suite = unittest.TestSuite([load(module) for module in modules])
     result = unittest.TestResult()
     suite.run(result)
     return [f"{test}: {trace.strip()}" for test, trace in result.failures + result.errors]

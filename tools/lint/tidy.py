@@ -13,6 +13,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from public_headers import reached_from
 from source import Tree
 
 CLANG_TIDY = "clang-tidy-14"
@@ -36,7 +37,7 @@ def check(tree: Tree, build: Path) -> tuple[list[str], int]:
     for file in tree.sources(*FOLDERS):
         if file.path.endswith(".cpp"):
             parts = [version, settings, commands.get(file.path, "").encode()]
-            parts += [tree.files[path].text.encode() for path in _reached(tree, file.path)]
+            parts += [tree.files[path].text.encode() for path in reached_from(tree, file.path)]
             keys[file.path] = hashlib.sha256(b"\0".join(parts)).hexdigest()
     pending = [path for path, key in keys.items() if key not in passed]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -44,17 +45,6 @@ def check(tree: Tree, build: Path) -> tuple[list[str], int]:
     clean = [key for path, key in keys.items() if not complaints.get(path)]
     passed_file.write_text(json.dumps(clean), encoding="utf-8")
     return [text for text in complaints.values() if text], len(pending)
-
-
-def _reached(tree: Tree, path: str) -> list[str]:
-    """The file and the headers of ours it includes, directly or not."""
-    reached = [path]
-    for current in reached:
-        for include in tree.files[current].includes():
-            for candidate in ("src/" + include.target, include.target):
-                if candidate in tree.files and candidate not in reached:
-                    reached.append(candidate)
-    return sorted(reached)
 
 
 def _tidy(root: Path, build: Path, path: str) -> str:

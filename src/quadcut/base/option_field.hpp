@@ -24,6 +24,9 @@ Choice choice(Enum& value, std::vector<std::string_view> words) {
     return {reinterpret_cast<std::uint8_t*>(&value), std::move(words)};
 }
 
+/// What an option decides: the result, or only how the work is done.
+enum class Decides : std::uint8_t { result, run };
+
 /// One option of a stage: where its value lives, and all that is said about it anywhere: on the
 /// command line, in files, in docs/options.md. The default is the value in the options struct.
 struct OptionField {
@@ -37,7 +40,17 @@ struct OptionField {
     std::string_view text;
     /// The equation or item of the paper that it belongs to; may be empty.
     std::string_view source;
-    std::variant<double*, std::size_t*, Choice> value;
+    std::variant<double*, std::size_t*, int*, Choice> value;
+    Decides decides = Decides::result;
 };
+
+/// The fields of options of one or more stages, in this order, by their add_fields(). Bound to
+/// their members, which must outlive the list.
+template <typename... Options>
+[[nodiscard]] std::vector<OptionField> option_fields(Options&... options) {
+    std::vector<OptionField> fields;
+    (add_fields(options, fields), ...);
+    return fields;
+}
 
 }  // namespace quadcut

@@ -9,8 +9,8 @@ namespace quadcut {
 
 class Accelerator;
 
-/// How many threads a call may use, and the device that may do parts of it (graph/accelerator.hpp);
-/// not owned. The result never depends on either.
+/// How many threads a call may use, and the device that may do parts of it
+/// (spectral/accelerator.hpp); not owned. The result never depends on either.
 struct Executor {
     int num_threads = 1;
     Accelerator* accelerator = nullptr;

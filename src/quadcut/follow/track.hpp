@@ -44,12 +44,7 @@ struct Tracked {
 
 /// Gives rooms the ids and names that they had in an earlier result.
 ///
-/// Two rooms can be the same when what they share is at least half of one of them. Of those, the
-/// pair that shares the largest area is the same room, then the next pair among the others, and so
-/// on (kept). So no two rooms share more with each other than with the rooms they are paired with:
-/// of the parts of a room, the one that has most of it stays that room. The largest sum of shared
-/// areas would not do: it can take a room away from its largest part for the sake of another pair,
-/// and a change at one end of a building could change ids at the other.
+/// Who is the same says match_rooms() (kept).
 /// Of the others, a new room at least half of which was in one earlier room is split from it, or
 /// else it is born; an earlier room at least half of which is in one new room is merged into it, or
 /// else it is gone. Split and merged name rooms that are there: had those no partner, they would be

@@ -23,6 +23,17 @@ std::vector<std::vector<std::size_t>> ConnectedParts::cells_of(
         cells.resize(before + run.end - run.begin);
         std::iota(cells.begin() + static_cast<std::ptrdiff_t>(before), cells.end(), first);
     });
+    std::erase_if(result, [](const auto& cells) { return cells.empty(); });
+    return result;
+}
+
+std::vector<bool> ConnectedParts::islands(double num_cells_of_large) const {
+    std::vector<bool> result = on_edge();
+    const std::vector<std::size_t> sizes = num_cells();
+    for (std::uint32_t part = 0; part <= count; ++part) {
+        result[part] =
+            part != 0 && !result[part] && static_cast<double>(sizes[part]) < num_cells_of_large;
+    }
     return result;
 }
 
@@ -79,6 +90,12 @@ ConnectedParts join_runs(ConnectedParts keyed, Connectivity connectivity) {
     parts.count = *std::max_element(numbers.begin(), numbers.end());
     for (CellRun& run : parts.runs) run.part = numbers[run.part];
     return parts;
+}
+
+ConnectedParts free_parts(const Raster<CellState>& states, const Executor& executor) {
+    return connected_parts(
+        states, [&](std::size_t i) { return states.values[i] == CellState::free ? 1U : 0U; },
+        Connectivity::four, executor);
 }
 
 }  // namespace quadcut

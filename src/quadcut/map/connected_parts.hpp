@@ -9,6 +9,7 @@
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -41,7 +42,7 @@ struct ConnectedParts {
     }
     /// The number of cells of each part; nothing at 0, which is no part.
     [[nodiscard]] std::vector<std::size_t> num_cells() const;
-    /// The offsets of the cells, ascending, of each part that is `wanted`; of others none.
+    /// The offsets of the cells, ascending, of each part that is `wanted`, in their order.
     [[nodiscard]] std::vector<std::vector<std::size_t>> cells_of(
         const std::vector<bool>& wanted) const;
     /// `values[part]` in the cells of each part, `values[0]` in all others, into `cells`, a raster
@@ -62,6 +63,9 @@ struct ConnectedParts {
                          }
                      });
     }
+    /// For each part, whether it has fewer cells than that, and none on the edge of the raster: of
+    /// others, more may lie beyond.
+    [[nodiscard]] std::vector<bool> islands(double num_cells_of_large) const;
     /// For each part, whether it has cells on the edge of the raster.
     [[nodiscard]] std::vector<bool> on_edge() const;
     /// The part of the cell in this column and row; 0 if none. O(log runs of the row).
@@ -147,5 +151,9 @@ template <typename T, typename KeyOf>
     }
     return join_runs(std::move(all), connectivity);
 }
+
+/// Of the free space, by 4 neighbours. There may be as many as half the cells. O(cells).
+[[nodiscard]] ConnectedParts free_parts(const Raster<CellState>& states,
+                                        const Executor& executor = {});
 
 }  // namespace quadcut

@@ -33,21 +33,17 @@ void for_each_enclosed_run(const Raster<Label>& labels, const IsRoom& is_room,
     const ConnectedParts patches = connected_parts(
         labels, [&](std::size_t i) { return is_room(labels.values[i]) ? 0 : 1; },
         Connectivity::eight, executor);
-    std::vector<bool> is_other = patches.on_edge();
-    const std::vector<std::size_t> num_cells = patches.num_cells();
-    for (std::size_t i = 1; i < is_other.size(); ++i) {
-        if (num_cells[i] > max_cells) is_other[i] = true;
-    }
-    std::vector<Label> room_around(is_other.size());
+    std::vector<bool> is_enclosed = patches.islands(static_cast<double>(max_cells) + 1.0);
+    std::vector<Label> room_around(is_enclosed.size());
     const auto width = static_cast<std::size_t>(labels.width);
     patches.for_each_run([&](const CellRun& run, std::size_t first) {
-        if (is_other[run.part]) return;
+        if (!is_enclosed[run.part]) return;
         Label& room = room_around[run.part];
         const auto meet = [&](std::size_t place) {
             const Label met = labels.values[place];
             if (!is_room(met)) return;
             if (room == 0) room = met;
-            if (met != room) is_other[run.part] = true;
+            if (met != room) is_enclosed[run.part] = false;
         };
         const std::size_t last = first + (run.end - run.begin) - 1;
         meet(first - 1);
@@ -59,7 +55,7 @@ void for_each_enclosed_run(const Raster<Label>& labels, const IsRoom& is_room,
     });
     patches.for_each_run([&](const CellRun& run, std::size_t first) {
         const Label room = room_around[run.part];
-        if (room != 0 && !is_other[run.part]) visit(run, first, room);
+        if (room != 0 && is_enclosed[run.part]) visit(run, first, room);
     });
 }
 

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/option_field.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/map/scan_cells.hpp"
 
 namespace quadcut {
 namespace {
 
-constexpr double kMaxRangeCells = 8192.0;
 constexpr double kMaxAngle = 1e6;
 
 // The sensor in the map, in cells.
@@ -32,15 +32,6 @@ Pose sensor_in_cells(const OccupancyMap& map, const Scan& scan) {
     const Pose map_from_sensor = compose(inverse(map.world_from_map()), pose);
     return {map_from_sensor.x / map.resolution_m(), map_from_sensor.y / map.resolution_m(),
             map_from_sensor.yaw_rad};
-}
-
-BeamLimits limits_in_cells(const OccupancyMap& map, const IntegrateOptions& options) {
-    const double usable_range = options.usable_range_m / map.resolution_m();
-    if (!(usable_range > 0.0 && usable_range <= kMaxRangeCells)) {
-        throw InputError("scan: the usable range is " + std::to_string(usable_range) +
-                         " cells, expected 1 to 8192");
-    }
-    return {usable_range, options.widest_gap_m / map.resolution_m(), options.margin_cells};
 }
 
 // How far along the line, 0 .. 1, the first wall stands that the map is sure of; nothing if none.
@@ -104,22 +95,50 @@ Box box_of(std::span<const TileEvidence> evidence) {
 
 }  // namespace
 
-IntegrateOptions latest_scan_wins() {
-    IntegrateOptions options;
+void add_fields(IntegrateOptions& options, std::vector<OptionField>& fields) {
+    constexpr double kWholeRange = kMaxLogOdds - kMinLogOdds;
+    fields.push_back({"scan.max_range", "m", 0.1, 1000.0,
+                      "longer readings clear that far and hit nothing", "",
+                      &options.usable_range_m});
+    fields.push_back({"scan.widest_gap", "m", 0.001, 100.0,
+                      "beams clear no further than where they are this far apart", "",
+                      &options.widest_gap_m});
+    fields.push_back({"scan.margin", "cells", 0.0, 100.0,
+                      "how far before its end point a beam stops to clear", "",
+                      &options.margin_cells});
+    fields.push_back({"scan.trusted_range", "m", 0.0, 1000.0,
+                      "up to here, a scan is believed against sure walls", "",
+                      &options.trusted_range_m});
+    fields.push_back({"scan.wall_tolerance", "m", 0.0, 100.0,
+                      "an end point so far behind a sure wall still is the wall", "",
+                      &options.wall_tolerance_m});
+    fields.push_back({"scan.sure", "", 1, kMaxLogOdds + 1,
+                      "log-odds from which on the map is sure of a wall", "", &options.sure});
+    fields.push_back({"scan.hit", "", 1, kWholeRange,
+                      "added to the log-odds of a cell with an end point", "", &options.hit});
+    fields.push_back({"scan.miss", "", -kWholeRange, -1,
+                      "added to the log-odds where a scan saw free space", "eq. (10)",
+                      &options.miss});
+}
+
+IntegrateOptions latest_scan_wins(IntegrateOptions options) {
     options.sure = kMaxLogOdds + 1;
     options.hit = kMaxLogOdds - kMinLogOdds;
     options.miss = kMinLogOdds - kMaxLogOdds;
     return options;
 }
 
+float longest_reading_m(const Scan& scan) {
+    float longest = 0.0F;
+    for (const float range : scan.ranges_m) {
+        if (std::isfinite(range) && range < scan.max_range_m) longest = std::max(longest, range);
+    }
+    return longest;
+}
+
 Box cells_in_reach(const OccupancyMap& map, const Scan& scan, const IntegrateOptions& options) {
     const Pose sensor = sensor_in_cells(map, scan);
-    double range_m = 0.0;
-    for (const float range : scan.ranges_m) {
-        if (std::isfinite(range) && range < scan.max_range_m) {
-            range_m = std::max(range_m, static_cast<double>(range));
-        }
-    }
+    const double range_m = longest_reading_m(scan);
     if (!(range_m > 0.0)) return {};
     const double reach = std::min(range_m, options.usable_range_m) / map.resolution_m();
     const auto cells = static_cast<std::int32_t>(std::ceil(std::min(reach, kMaxRangeCells))) + 1;
@@ -132,8 +151,7 @@ std::vector<TileEvidence> evidence_of(const OccupancyMap& map, const Scan& scan,
                                       const IntegrateOptions& options) {
     const Pose pose = sensor_in_cells(map, scan);
     const Point sensor{pose.x, pose.y};
-    std::vector<Beam> beams =
-        beams_of(scan, pose.yaw_rad, map.resolution_m(), limits_in_cells(map, options));
+    std::vector<Beam> beams = beams_of(scan, pose.yaw_rad, map.resolution_m(), options);
     stop_at_walls(beams, map, sensor, options);
     // Eq. (10): the leaves in the sensor's range and in sight are those of these cells.
     const ScanCells cells = cells_of(beams, sensor, scan.angle_step_rad);
@@ -182,22 +200,37 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
     return update;
 }
 
-OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+OccupancyMap map_from_scans(const NextScan& next, double resolution_m,
                             const IntegrateOptions& options, const ScanProgress& progress) {
     // The tree is brought up to date now and then, which keeps the map collapsed.
     constexpr std::size_t kScansPerCommit = 16;
     OccupancyMap map(resolution_m);
-    for (std::size_t i = 0; i < scans.size(); ++i) {
+    std::size_t num_done = 0;
+    while (const std::optional<Scan> scan = next()) {
         try {
-            add_evidence(map, evidence_of(map, scans[i], options), options);
+            add_evidence(map, evidence_of(map, *scan, options), options);
         } catch (const InputError& error) {
-            throw InputError("scan " + std::to_string(i) + ": " + error.what());
+            throw InputError("scan " + std::to_string(num_done) + ": " + error.what());
         }
-        if ((i + 1) % kScansPerCommit == 0 || i + 1 == scans.size()) map.commit();
-        if (progress) progress(i + 1);
+        if (++num_done % kScansPerCommit == 0) map.commit();
+        if (progress) progress(num_done);
     }
+    map.commit();
     map.shrink_to_fit();
     return map;
+}
+
+OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+                            const IntegrateOptions& options, const ScanProgress& progress) {
+    const auto next = [scans]() mutable {
+        std::optional<Scan> scan;
+        if (!scans.empty()) {
+            scan = scans.front();
+            scans = scans.subspan(1);
+        }
+        return scan;
+    };
+    return map_from_scans(next, resolution_m, options, progress);
 }
 
 }  // namespace quadcut

@@ -5,31 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "quadcut/map/integrate_options.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
 
-/// What a scan does to the map.
-struct IntegrateOptions {
-    double usable_range_m = 30.0;   ///< longer readings clear that far and hit nothing
-    double widest_gap_m = 0.2;      ///< and no further than where beams are this far apart
-    double margin_cells = 1.0;      ///< how far before its end point a beam stops to clear
-    double trusted_range_m = 2.5;   ///< up to here, a scan is believed against sure walls
-    double wall_tolerance_m = 0.3;  ///< an end point so far behind a sure wall still is the wall
-    int sure = 6;                   ///< log-odds from which on the map is sure of a wall
-    int hit = 3;                    ///< added to the log-odds of a cell with an end point
-    int miss = -1;                  ///< added where the scan saw free space
-};
+/// No beam is used further.
+inline constexpr double kMaxRangeCells = 8192.0;
 
 /// The most cells that the box around all that scans see may have: 820 m x 820 m at 5 cm.
 inline constexpr std::int64_t kMaxCellsOfScans = std::int64_t{1} << 28;
-
-/// One hit marks and one miss clears, as in the paper (READING.md item 20).
-[[nodiscard]] IntegrateOptions latest_scan_wins();
 
 /// The cells of one tile that a scan speaks of, bit 8 y + x for cell (x, y) of the tile.
 struct TileEvidence {
@@ -37,6 +27,9 @@ struct TileEvidence {
     std::uint64_t miss = 0;
     std::uint64_t hit = 0;
 };
+
+/// The longest reading of a scan that says something; 0: none.
+[[nodiscard]] float longest_reading_m(const Scan& scan);
 
 /// Whole tiles, in cells, that hold all that a scan can speak of: as far around the sensor as its
 /// longest reading. Empty when no beam says anything. Throws InputError when the pose cannot be
@@ -66,9 +59,14 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
 
 /// Called after each scan with how many are done.
 using ScanProgress = std::function<void(std::size_t num_done)>;
+/// Gives scans one by one; nothing at the end.
+using NextScan = std::function<std::optional<Scan>()>;
 
 /// The map of a whole log: the same as integrate_scan one by one. Errors name the scan, from 0 on.
 [[nodiscard]] OccupancyMap map_from_scans(std::span<const Scan> scans, double resolution_m,
+                                          const IntegrateOptions& options = {},
+                                          const ScanProgress& progress = {});
+[[nodiscard]] OccupancyMap map_from_scans(const NextScan& next, double resolution_m,
                                           const IntegrateOptions& options = {},
                                           const ScanProgress& progress = {});
 

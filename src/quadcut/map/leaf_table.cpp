@@ -3,34 +3,13 @@
 #include "quadcut/map/leaf_table.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
-#include "quadcut/map/morton.hpp"
+#include "quadcut/map/occupancy_map.hpp"
 
 namespace quadcut {
-namespace {
-
-// In depth-first order each leaf is the next run of Morton codes or a later one, which leaves no
-// room for leaves that overlap or are not aligned.
-void require_depth_first(const std::vector<Leaf>& leaves, const Root& root) {
-    const std::uint64_t end = std::uint64_t{1} << (2 * root.level);
-    std::uint64_t next = 0;
-    for (const Leaf& leaf : leaves) {
-        const std::uint64_t code = morton_code(root.position(0, leaf.lower_left));
-        const std::uint64_t size = std::uint64_t{1} << (2 * std::min(leaf.level, root.level));
-        if (leaf.level > root.level || code < next || code >= end || code % size != 0) {
-            throw std::logic_error("LeafTable: a leaf is no block of the root or out of order");
-        }
-        next = code + size;
-    }
-}
-
-}  // namespace
-
 LeafTable::LeafTable(std::vector<Leaf> leaves, const Root& root)
     : root_(root), leaves_(std::move(leaves)) {
-    require_depth_first(leaves_, root);
     Box tiles;
     for (const Leaf& leaf : leaves_) {
         if (leaf.state == CellState::unknown) continue;
@@ -68,6 +47,26 @@ void LeafTable::add_small_leaf(std::uint32_t id) {
                     static_cast<std::uint8_t>(id - tile.first_leaf));
     }
     tile.num_leaves = id - tile.first_leaf + 1;
+}
+
+FreeLeaves free_leaves(const GridMap& map) {
+    const OccupancyMap tree = OccupancyMap::from_grid(map);
+    FreeLeaves leaves{LeafTable(tree.leaves(), tree.root()), {}};
+    for (std::uint32_t i = 0; i < leaves.table.leaves().size(); ++i) {
+        if (leaves.table.leaves()[i].state == CellState::free) leaves.nodes.push_back(LeafId{i});
+    }
+    return leaves;
+}
+
+std::vector<double> leaf_areas_m2(const LeafTable& table, std::span<const LeafId> nodes,
+                                  double resolution_m) {
+    std::vector<double> areas_m2;
+    areas_m2.reserve(nodes.size());
+    for (const LeafId id : nodes) {
+        const double side_m = table.leaf(id).side_cells() * resolution_m;
+        areas_m2.push_back(side_m * side_m);
+    }
+    return areas_m2;
 }
 
 }  // namespace quadcut

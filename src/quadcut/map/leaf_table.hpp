@@ -6,10 +6,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
+#include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/leaf.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/map/root.hpp"
@@ -30,8 +32,7 @@ class LeafTable {
 public:
     /// `leaves` in depth-first (Z) order as OccupancyMap::leaves() gives them, or a part of that
     /// list in the same order. O(leaves + tiles of their bounding box).
-    /// Throws std::logic_error when a leaf is no block of the root, overlaps another or is out of
-    /// order.
+    /// @pre they are blocks of the root.
     LeafTable(std::vector<Leaf> leaves, const Root& root);
 
     [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
@@ -118,5 +119,23 @@ private:
     Raster<std::uint32_t> directory_;
     std::vector<Tile> tiles_;
 };
+
+/// The quadtree's leaves, and which of them are free: the nodes of the graph.
+struct FreeLeaves {
+    LeafTable table;
+    std::vector<LeafId> nodes;
+};
+
+/// The leaves of a map's quadtree, whose lower left corner is that of the map. O(cells).
+[[nodiscard]] FreeLeaves free_leaves(const GridMap& map);
+
+/// Gives the cells of a leaf a label. @pre the leaf lies in the raster.
+inline void paint_leaf(const Leaf& leaf, std::uint32_t label, Raster<std::uint32_t>& labels) {
+    for_each_cell(leaf.box(), [&](Cell cell) { labels.at(cell) = label; });
+}
+
+/// The area of each node's leaf, m2: what build_graph() wants beside the edges.
+[[nodiscard]] std::vector<double> leaf_areas_m2(const LeafTable& table,
+                                                std::span<const LeafId> nodes, double resolution_m);
 
 }  // namespace quadcut

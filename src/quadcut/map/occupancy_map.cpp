@@ -133,15 +133,9 @@ void OccupancyMap::grow(const Box& tiles) {
     root_ = root;
 }
 
-void OccupancyMap::set_state(Cell cell, CellState state) { write(cell, log_odds_of(state)); }
-
-void OccupancyMap::add_log_odds(Cell cell, int delta) {
-    write(cell, bounded_sum(log_odds(cell), delta));
-}
-
-void OccupancyMap::write(Cell cell, int log_odds) {
+void OccupancyMap::set_state(Cell cell, CellState state) {
     Tile values = tile(tile_of(cell));
-    values.values[place_in_tile(cell)] = static_cast<std::int8_t>(log_odds);
+    values.values[place_in_tile(cell)] = log_odds_of(state);
     set_tile(tile_of(cell), values);
 }
 
@@ -173,15 +167,14 @@ MapUpdate OccupancyMap::commit() {
     for (const WrittenTile& tile : tiles) {
         update.written.push_back(tile_of(root_.block(kTileBits, tile.position).lower_left));
     }
-    TreeChange change = update_tree(pyramid_, committed_root_, root_, tiles);
+    const TreeChange change = update_tree(pyramid_, committed_root_, root_, tiles);
     store_.give_back();
     pending_ = std::vector<Pending>{};
     committed_root_ = root_;
-    num_leaves_ += change.leaves_added.size();
+    num_leaves_ += change.num_leaves_added;
     num_leaves_ -= change.num_leaves_removed;
-    update.nodes_rebuilt = change.leaves_added.size() + change.num_inner_nodes_added;
+    update.nodes_rebuilt = change.num_leaves_added + change.num_inner_nodes_added;
     update.nodes_touched = change.num_nodes_touched;
-    update.rebuilt = std::move(change.leaves_added);
     if (!tiles.empty()) {
         const auto corner = [&](const WrittenTile& tile) {
             return root_.block(kTileBits, tile.position).lower_left;

@@ -20,12 +20,9 @@ namespace quadcut {
 
 /// What a batch of writes did to the quadtree.
 struct MapUpdate {
-    /// Leaves that the tree has now and did not have before, fine before coarse, depth first
-    /// within a level.
-    std::vector<Leaf> rebuilt;
     /// Nodes of the tree in and above the 8 x 8-cell tiles whose log-odds changed.
     std::size_t nodes_touched = 0;
-    /// Nodes that did not exist before, the leaves of `rebuilt` and the inner nodes above them.
+    /// Nodes that did not exist before, or had another state as leaves.
     std::size_t nodes_rebuilt = 0;
     /// The smallest block of the tree, a tile at least, that covers what was written or observed.
     /// Nothing if nothing was. Eq. (12): ps = num_nodes_in(covering) / num_nodes()
@@ -108,8 +105,6 @@ public:
     void reserve(Cell low, Cell high);
     /// Sets a cell to certainly free or occupied (a log-odds bound), or to never observed.
     void set_state(Cell cell, CellState state);
-    /// Adds to a cell's log-odds, within bounds; a sum of 0 becomes 1 in the direction of `delta`.
-    void add_log_odds(Cell cell, int delta);
     /// Replaces the 8 x 8 cells (8 tile.x .., 8 tile.y ..).
     void set_tile(Cell tile, const Tile& values);
     /// Gives back the bytes that are kept for tiles to come.
@@ -130,7 +125,6 @@ private:
     }
     void require_committed() const;
     void grow(const Box& tiles);
-    void write(Cell cell, int log_odds);
 
     double resolution_m_;
     Pose world_from_map_;

@@ -56,13 +56,10 @@ Root root_around(const Raster<CellState>& states) {
 // The cells of a tile, unknown beyond the raster.
 Tile tile_from(const Raster<CellState>& states, Cell tile) {
     Tile result;
-    const Cell corner = first_cell_of(tile);
-    const std::int32_t first = std::max(corner.x, states.origin.x);
-    const std::int32_t end = std::min(corner.x + kTileSide, states.origin.x + states.width);
-    for (std::int32_t y = std::max(corner.y, states.origin.y);
-         y < std::min(corner.y + kTileSide, states.origin.y + states.height); ++y) {
-        const CellState* row = &states.values[states.offset({first, y})];
-        std::transform(row, row + (end - first), &result.values[place_in_tile({first, y})],
+    const Box cells = cells_of_tiles({tile, tile}).intersected(states.box());
+    for (std::int32_t y = cells.low.y; y <= cells.high.y; ++y) {
+        const CellState* row = &states.values[states.offset({cells.low.x, y})];
+        std::transform(row, row + cells.width(), &result.values[place_in_tile({cells.low.x, y})],
                        log_odds_of);
     }
     return result;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 
+#include "quadcut/base/error.hpp"
 #include "quadcut/map/line_walk.hpp"
 
 namespace quadcut {
@@ -55,10 +57,16 @@ BitRaster frame(const Point& sensor, const std::vector<Beam>& beams) {
 }  // namespace
 
 std::vector<Beam> beams_of(const Scan& scan, double sensor_yaw_rad, double resolution_m,
-                           const BeamLimits& limits) {
+                           const IntegrateOptions& options) {
+    const double longest = options.usable_range_m / resolution_m;
+    if (!(longest > 0.0 && longest <= kMaxRangeCells)) {
+        throw InputError("scan: the usable range is " + std::to_string(longest) +
+                         " cells, expected 1 to 8192");
+    }
     std::vector<Beam> beams(scan.ranges_m.size());
     const double step = std::abs(scan.angle_step_rad);
-    const double usable = std::min(limits.usable_range, limits.widest_gap / std::max(step, 1e-9));
+    const double usable =
+        std::min(longest, options.widest_gap_m / resolution_m / std::max(step, 1e-9));
     for (std::size_t i = 0; i < beams.size(); ++i) {
         const double range_m = scan.ranges_m[i];
         // Written so that NaN fails too.
@@ -68,7 +76,7 @@ std::vector<Beam> beams_of(const Scan& scan, double sensor_yaw_rad, double resol
         const double range = range_m / resolution_m;
         beams[i] = {{std::cos(angle), std::sin(angle)},
                     std::min(range, usable),
-                    std::clamp(range - limits.margin, 0.0, usable),
+                    std::clamp(range - options.margin_cells, 0.0, usable),
                     range <= usable};
     }
     return beams;

@@ -6,6 +6,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/bit_raster.hpp"
+#include "quadcut/map/integrate.hpp"
 #include "quadcut/map/scan.hpp"
 
 namespace quadcut {
@@ -18,17 +19,11 @@ struct Beam {
     bool hits = false;   ///< something stands at `range`
 };
 
-/// How far beams are used, in cells.
-struct BeamLimits {
-    double usable_range = 600.0;  ///< longer readings clear that far and hit nothing
-    double widest_gap = 4.0;      ///< and no further than where neighbours are this far apart
-    double margin = 1.0;          ///< how far before its end point a beam stops to clear
-};
-
 /// The beams of a scan whose sensor has the given yaw in the map. Invalid readings and those
-/// without a return say nothing.
+/// without a return say nothing. Throws InputError when the usable range is no positive number of
+/// cells or more than 8192.
 [[nodiscard]] std::vector<Beam> beams_of(const Scan& scan, double sensor_yaw_rad,
-                                         double resolution_m, const BeamLimits& limits);
+                                         double resolution_m, const IntegrateOptions& options);
 
 /// What one scan says about the cells around the sensor; of the rest it says nothing.
 struct ScanCells {

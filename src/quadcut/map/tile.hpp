@@ -51,7 +51,8 @@ constexpr int kMaxLogOdds = 11;
 
 /// The log-odds of a cell that is certainly of a state.
 [[nodiscard]] constexpr std::int8_t log_odds_of(CellState state) {
-    return state == CellState::unknown ? 0 : state == CellState::free ? kMinLogOdds : kMaxLogOdds;
+    const int known = state == CellState::free ? kMinLogOdds : kMaxLogOdds;
+    return static_cast<std::int8_t>(state == CellState::unknown ? 0 : known);
 }
 
 /// Log-odds plus `delta`, within bounds; a sum of 0 becomes 1 in the direction of `delta`.

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 #include "quadcut/map/morton.hpp"
 
@@ -19,30 +16,18 @@ Cell ancestor(Cell position, int num_layers) {
     return {position.x >> num_layers, position.y >> num_layers};
 }
 
-/// Smaller leaves first, else in the order they had.
-std::vector<Leaf> by_level(const std::vector<Leaf>& leaves) {
-    std::array<std::size_t, 33> begin{};
-    for (const Leaf& leaf : leaves) ++begin[leaf.level + std::size_t{1}];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Leaf> sorted(leaves.size());
-    for (const Leaf& leaf : leaves) sorted[begin[leaf.level]++] = leaf;
-    return sorted;
-}
-
 /// Goes down to the written tiles, and sets the blocks around them on the way back.
 class TreeUpdate {
 public:
     TreeUpdate(StatePyramid& pyramid, const Root& before, const Root& root)
         : pyramid_(pyramid),
-          root_(root),
           old_layer_(before.level - kTileBits),
           old_position_(root.position(before.level, before.lower_left)) {}
 
     TreeChange run(std::span<const WrittenTile> tiles) {
         const int top = pyramid_.num_layers() - 1;
         account(top, {0, 0}, visit(top, {0, 0}, tiles), BlockState::absent, BlockState::mixed);
-        change_.leaves_added = by_level(change_.leaves_added);
-        return std::move(change_);
+        return change_;
     }
 
 private:
@@ -92,30 +77,28 @@ private:
         // Divided blocks have four children each; account() counts the tile itself.
         change_.num_nodes_touched +=
             static_cast<std::size_t>(4 * (pyramid_.num_leaves_in_tile(position) - 1) / 3);
-        if (tile.before != tile.after) {
-            compare_leaves(tile, root_.block(kTileBits, position).lower_left);
-        }
+        if (tile.before != tile.after) compare_leaves(tile);
         return block;
     }
 
-    void compare_leaves(const WrittenTile& tile, Cell corner) {
+    void compare_leaves(const WrittenTile& tile) {
         const TileLeaves old_leaves = leaves_of(tile.before);
-        TileLeaves leaves = leaves_of(tile.after);
+        const TileLeaves leaves = leaves_of(tile.after);
         const auto old_inner = old_leaves.inner_nodes();
         const auto inner = leaves.inner_nodes();
+        const auto count = [](TileMask mask) {
+            return static_cast<std::size_t>(std::popcount(mask));
+        };
         for (std::size_t i = 0; i < 2; ++i) {
-            change_.num_inner_nodes_added +=
-                static_cast<std::size_t>(std::popcount(inner[i] & ~old_inner[i]));
+            change_.num_inner_nodes_added += count(inner[i] & ~old_inner[i]);
         }
         const TileMask differing =
             (tile.before.free ^ tile.after.free) | (tile.before.occupied ^ tile.after.occupied);
         for (std::size_t level = 0; level < kTileBits; ++level) {
-            const TileMask old_here = old_leaves.by_level[level];
-            const TileMask kept = leaves.by_level[level] & old_here & ~differing;
-            change_.num_leaves_removed += static_cast<std::size_t>(std::popcount(old_here & ~kept));
-            leaves.by_level[level] &= ~kept;
+            const TileMask kept = leaves.by_level[level] & old_leaves.by_level[level] & ~differing;
+            change_.num_leaves_removed += count(old_leaves.by_level[level] & ~kept);
+            change_.num_leaves_added += count(leaves.by_level[level] & ~kept);
         }
-        append_leaves(leaves, tile.after, corner, change_.leaves_added);
     }
 
     // Counts a block whose parent is known. It is a node when its parent is divided, or when it is
@@ -133,14 +116,10 @@ private:
         const bool is_leaf = is_node && is_uniform(block.after);
         if (was_leaf && is_leaf && block.before == block.after) return;
         if (was_leaf) ++change_.num_leaves_removed;
-        if (is_leaf) {
-            const Root leaf = root_.block(layer + kTileBits, position);
-            change_.leaves_added.push_back({leaf.lower_left, leaf.level, cell_state(block.after)});
-        }
+        if (is_leaf) ++change_.num_leaves_added;
     }
 
     StatePyramid& pyramid_;
-    const Root& root_;
     int old_layer_;
     Cell old_position_;
     TreeChange change_;

@@ -5,9 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "quadcut/map/leaf.hpp"
 #include "quadcut/map/root.hpp"
 #include "quadcut/map/state_pyramid.hpp"
 #include "quadcut/map/tile.hpp"
@@ -24,8 +22,7 @@ struct WrittenTile {
 
 /// Which nodes of the quadtree came and went.
 struct TreeChange {
-    /// Leaves that came, fine before coarse, depth first within a level.
-    std::vector<Leaf> leaves_added;
+    std::size_t num_leaves_added = 0;
     std::size_t num_leaves_removed = 0;
     std::size_t num_inner_nodes_added = 0;
     /// Nodes that the tree has now in and above the written tiles.

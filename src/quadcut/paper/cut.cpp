@@ -12,34 +12,35 @@
 
 namespace quadcut {
 
-Pieces cut(const Graph& region, const CutOptions& options, StageClock& clock,
+Pieces cut(const Graph& region, const PaperOptions& options, std::uint64_t seed, StageClock& clock,
            const Executor& executor) {
     Pieces pieces;
     if (region.num_nodes() == 0) return pieces;
-    const std::size_t num_pairs = options.num_pieces != 0 ? options.num_pieces : options.max_pieces;
+    const std::size_t num_wanted = options.num_submaps;
     EigenOptions eigen_options;
-    eigen_options.seed = options.seed;
+    eigen_options.seed = seed;
     clock.begin("eigen");
-    const Eigenpairs pairs =
-        smallest_eigenpairs(region, options.laplacian, num_pairs, eigen_options, executor);
+    const Eigenpairs pairs = smallest_eigenpairs(region, options.laplacian,
+                                                 num_wanted != 0 ? num_wanted : options.max_submaps,
+                                                 eigen_options, executor);
     pieces.eigen.push_back({pairs.num_nodes, pairs.values, pairs.residuals});
 
     clock.begin("cluster");
     Clustering clusters;
-    if (options.num_pieces != 0) {
+    if (num_wanted != 0) {
         KMeansOptions k_means;
-        k_means.seed = options.seed;
-        clusters = cluster_k_means(embed(pairs, options.num_pieces, options.row_scaling),
-                                   options.num_pieces, k_means, executor)
+        k_means.seed = seed;
+        clusters = cluster_k_means(embed(pairs, num_wanted, options.row_scaling), num_wanted,
+                                   k_means, executor)
                        .clustering;
     } else {
         ChooseOptions choose;
-        choose.max_clusters = options.max_pieces;
+        choose.max_clusters = options.max_submaps;
         choose.scaling = options.row_scaling;
         choose.accept_score = options.min_silhouette;
         choose.max_attempts = 2;
         choose.k_means.num_starts = 3;
-        choose.k_means.seed = options.seed;
+        choose.k_means.seed = seed;
         clusters = choose_num_clusters(pairs, choose, executor).clustering;
     }
     pieces.piece_of_node = connected_components(region, clusters.labels);

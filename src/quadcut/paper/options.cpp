@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/paper/options.hpp"
 
+#include "quadcut/base/option_field.hpp"
+
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
@@ -19,8 +21,6 @@ void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
                       "eq. (6)", choice(options.row_scaling, {"none", "unit_length"})});
     fields.push_back({"paper.self_loops", "", 0, 0, "relevance of a node to itself", "rule 1",
                       choice(options.self_loops, {"none", "own_weight", "largest_weight"})});
-    fields.push_back({"paper.components", "", 0, 0, "how connected components are found", "",
-                      choice(options.component_search, {"traversal", "null_space"})});
     fields.push_back({"paper.min_component", "m^2", 0.0, 1e6,
                       "smaller connected components are dropped", "", &options.min_component_m2});
     fields.push_back({"paper.min_leaf", "m", 0.0, 100.0,

@@ -6,15 +6,22 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadcut/base/option_field.hpp"
-#include "quadcut/paper/visibility.hpp"
-#include "quadcut/spectral/embedding.hpp"
-#include "quadcut/spectral/laplacian.hpp"
+#include "quadcut/spectral/options.hpp"
 
 namespace quadcut {
 
-/// How the connected components of the paper's graph are found.
-enum class ComponentSearch : std::uint8_t { traversal, null_space };
+struct OptionField;
+
+/// Rule 1 of the paper, "each node has max relevance in itself": the weight of a node's edge to
+/// itself.
+enum class SelfLoops : std::uint8_t {
+    /// No loop.
+    none,
+    /// Eq. (2) with i = j: half the node's side.
+    own_weight,
+    /// The largest weight that eq. (2) gives to any pair of the nodes: half the largest side.
+    largest_weight,
+};
 
 /// The preset `paper`.
 struct PaperOptions {
@@ -25,7 +32,6 @@ struct PaperOptions {
     LaplacianKind laplacian = LaplacianKind::degree;
     RowScaling row_scaling = RowScaling::none;
     SelfLoops self_loops = SelfLoops::own_weight;
-    ComponentSearch component_search = ComponentSearch::traversal;
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;

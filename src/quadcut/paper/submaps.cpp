@@ -123,20 +123,45 @@ private:
 /// The strongest relation that is to be fused: above the threshold, or of a submap that is too
 /// small by itself.
 std::optional<SubmapGraph::Relation> find_relation_to_fuse(const SubmapGraph& submaps,
-                                                           const SubmapLimits& limits) {
+                                                           const PaperOptions& options) {
     std::optional<SubmapGraph::Relation> best;
     for (std::uint32_t p = 0; p < submaps.size(); ++p) {
         if (!submaps.is_submap(p)) continue;
         for (const auto& [q, weight] : submaps.neighbours(p)) {
             const bool small =
-                std::min(submaps.area_m2(p), submaps.area_m2(q)) < limits.min_area_m2;
+                std::min(submaps.area_m2(p), submaps.area_m2(q)) < options.min_submap_m2;
             const double relation = submaps.relation_per_m(p, q);
-            const bool fits = submaps.area_m2(p) + submaps.area_m2(q) <= limits.max_area_m2;
-            if (!small && (relation < limits.min_relation_per_m || !fits)) continue;
+            const bool fits = submaps.area_m2(p) + submaps.area_m2(q) <= options.max_submap_m2;
+            if (!small && (relation < options.min_relation_per_m || !fits)) continue;
             if (!best || relation > best->per_m) best = {relation, p, q};
         }
     }
     return best;
+}
+
+/// Components of the paper's graph with at least the given area; nodes ascending.
+std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
+                                                     const PaperOptions& options) {
+    const std::vector<std::uint32_t> component = connected_components(graph);
+    const std::size_t count =
+        component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
+    std::vector<double> area_m2(count, 0.0);
+    std::vector<double> largest_leaf_m2(count, 0.0);
+    for (std::size_t node = 0; node < component.size(); ++node) {
+        area_m2[component[node]] += graph.area_m2[node];
+        double& largest = largest_leaf_m2[component[node]];
+        largest = std::max(largest, graph.area_m2[node]);
+    }
+    // Departs from the paper: a long thin sliver, as scans leave along walls, is large enough but
+    // no place. Each would take one of the smallest eigenvectors away from the building.
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t node = 0; node < component.size(); ++node) {
+        if (area_m2[component[node]] >= options.min_component_m2 &&
+            largest_leaf_m2[component[node]] >= options.min_leaf_m * options.min_leaf_m) {
+            nodes.push_back(node);
+        }
+    }
+    return nodes;
 }
 
 }  // namespace
@@ -168,33 +193,33 @@ Pieces fuse_submaps_to(const Graph& graph, Pieces pieces, std::uint32_t count, d
     return submaps.fused(std::move(pieces));
 }
 
-Pieces cut_into(const Graph& graph, std::size_t count, const SubmapLimits& limits,
-                const CutOptions& options, StageClock& clock, const Executor& executor) {
+Pieces cut_into(const Graph& graph, std::size_t count, const PaperOptions& options,
+                std::uint64_t seed, StageClock& clock, const Executor& executor) {
     // Departs from the paper: it takes the k smallest eigenvectors, some of which belong to slivers
     // along walls. Told the number of rooms, the ten maps score 58.1 / 56.5 (mean PQ, plain /
     // furnished) instead of 55.3 / 47.1.
-    CutOptions finer = options;
-    finer.num_pieces = count;
+    PaperOptions finer = options;
+    finer.num_submaps = count;
     const double area_m2 = std::accumulate(graph.area_m2.begin(), graph.area_m2.end(), 0.0);
     // More submaps than have room are what was asked for: then none is too small.
     const double min_area_m2 =
-        static_cast<double>(count) * limits.min_area_m2 > area_m2 ? 0.0 : limits.min_area_m2;
+        static_cast<double>(count) * options.min_submap_m2 > area_m2 ? 0.0 : options.min_submap_m2;
     Pieces best;
     for (int round = 0; round < kMaxRounds; ++round) {
-        Pieces pieces = cut(graph, finer, clock, executor);
+        Pieces pieces = cut(graph, finer, seed, clock, executor);
         clock.begin("fuse");
         pieces = fuse_submaps_to(graph, std::move(pieces), static_cast<std::uint32_t>(count),
                                  min_area_m2);
         const std::uint32_t found = pieces.count;
         if (found > best.count) best = std::move(pieces);
-        if (found >= count || finer.num_pieces >= graph.num_nodes()) break;
-        finer.num_pieces += 2 * (count - found);
+        if (found >= count || finer.num_submaps >= graph.num_nodes()) break;
+        finer.num_submaps += 2 * (count - found);
     }
     return best;
 }
 
-Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits,
-                      const CutOptions& options, StageClock& clock, const Executor& executor) {
+Pieces divide_submaps(const Graph& graph, Pieces pieces, const PaperOptions& options,
+                      std::uint64_t seed, StageClock& clock, const Executor& executor) {
     std::vector<std::vector<std::uint32_t>> waiting(pieces.count);
     for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
         waiting[pieces.piece_of_node[node]].push_back(node);
@@ -207,11 +232,11 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
         clock.begin("fuse");
         const Graph submap = induced_subgraph(graph, nodes);
         const double area_m2 = std::accumulate(submap.area_m2.begin(), submap.area_m2.end(), 0.0);
-        const bool too_large =
-            area_m2 > limits.max_area_m2 || longest_route_edges(submap) > limits.max_route_edges;
+        const bool too_large = area_m2 > options.max_submap_m2 ||
+                               longest_route_edges(submap) > options.max_route_edges;
         Pieces parts;
         if (too_large && nodes.size() > 2)
-            parts = cut_into(submap, 2, limits, options, clock, executor);
+            parts = cut_into(submap, 2, options, seed, clock, executor);
         if (parts.count < 2) {
             for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
             ++pieces.count;
@@ -226,12 +251,29 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& lim
     return pieces;
 }
 
-Pieces fuse_submaps(const Graph& graph, Pieces pieces, const SubmapLimits& limits) {
+Pieces fuse_submaps(const Graph& graph, Pieces pieces, const PaperOptions& options) {
     SubmapGraph submaps(graph, pieces);
-    while (const auto relation = find_relation_to_fuse(submaps, limits)) {
+    while (const auto relation = find_relation_to_fuse(submaps, options)) {
         submaps.fuse(relation->p, relation->q);
     }
     return submaps.fused(std::move(pieces));
+}
+
+Submaps find_submaps(const Graph& graph, const PaperOptions& options, std::uint64_t seed,
+                     StageClock& clock, const Executor& executor) {
+    Submaps submaps;
+    submaps.nodes = nodes_of_large_components(graph, options);
+    const Graph region = induced_subgraph(graph, submaps.nodes);
+    Pieces& pieces = submaps.pieces;
+    if (options.num_submaps != 0) {
+        pieces = cut_into(region, options.num_submaps, options, seed, clock, executor);
+    } else {
+        pieces = cut(region, options, seed, clock, executor);
+        pieces = divide_submaps(region, std::move(pieces), options, seed, clock, executor);
+        clock.begin("fuse");
+        pieces = fuse_submaps(region, std::move(pieces), options);
+    }
+    return submaps;
 }
 
 }  // namespace quadcut

@@ -4,16 +4,37 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
-#include "quadcut/map/node_index.hpp"
 #include "quadcut/paper/line_of_sight.hpp"
 #include "quadcut/spectral/accelerator.hpp"
-#include "quadcut/spectral/edge_rows.hpp"
 
 namespace quadcut {
 namespace {
+
+constexpr std::size_t kNodesPerChunk = 512;
+constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
+
+void require_region(const LeafTable& table, std::span<const LeafId> nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool ascends = i == 0 || nodes[i - 1] < nodes[i];
+        if (!ascends || index(nodes[i]) >= table.leaves().size() ||
+            table.leaf(nodes[i]).state != CellState::free) {
+            throw std::logic_error("sight_edges: nodes must be free leaves, ascending");
+        }
+    }
+}
+
+/// The node of each leaf from the first node's to the last one's; kNoNode where it is none.
+std::vector<std::uint32_t> nodes_by_leaf(std::span<const LeafId> nodes) {
+    const std::size_t first = index(nodes.front());
+    std::vector<std::uint32_t> node_of(index(nodes.back()) - first + 1, kNoNode);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) node_of[index(nodes[i]) - first] = i;
+    return node_of;
+}
 
 Box bounding_box(const LeafTable& table, std::span<const LeafId> nodes) {
     Box box;
@@ -31,14 +52,15 @@ bool is_within_threshold(const Leaf& i, const Leaf& j) {
 }
 
 /// The row of one node: its edges to finer leaves, and to equal ones that come later (rule 2).
-class SightRow {
-public:
-    SightRow(const LeafTable& table, const NodeIndex& index, const BlockedCells& blocked,
-             double resolution_m)
-        : table_(table), index_(index), blocked_(blocked), resolution_m_(resolution_m) {}
+struct SightRow {
+    const LeafTable& table;
+    const BlockedCells& blocked;
+    double resolution_m;
+    std::size_t first_leaf;
+    std::vector<std::uint32_t> node_of;
 
     void append(std::uint32_t node, LeafId id, std::vector<WeightedEdge>& edges) const {
-        const Leaf& leaf = table_.leaf(id);
+        const Leaf& leaf = table.leaf(id);
         const std::int32_t side = leaf.side_cells();
         // Equal leaves lie on a grid of their size, where eq. (3) reaches those that are one side,
         // sqrt 2 and two sides away.
@@ -46,8 +68,8 @@ public:
             const std::int32_t most = 2 - std::abs(up);
             for (std::int32_t right = -most; right <= most; ++right) {
                 const std::optional<LeafId> other =
-                    table_.find({leaf.lower_left.x + right * side, leaf.lower_left.y + up * side});
-                if (other.has_value() && *other > id && table_.leaf(*other).level == leaf.level) {
+                    table.find({leaf.lower_left.x + right * side, leaf.lower_left.y + up * side});
+                if (other.has_value() && *other > id && table.leaf(*other).level == leaf.level) {
                     append_if_seen(node, leaf, *other, edges);
                 }
             }
@@ -61,33 +83,40 @@ public:
         const auto cell = [](std::int64_t x, std::int64_t y) {
             return Cell{static_cast<std::int32_t>(x >> 1), static_cast<std::int32_t>(y >> 1)};
         };
-        table_.for_each_leaf_in(cell(middle.x - reach - 1, middle.y - reach - 1),
-                                cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
-                                    if (table_.leaf(other).level < leaf.level) {
-                                        append_if_seen(node, leaf, other, edges);
-                                    }
-                                });
+        table.for_each_leaf_in(cell(middle.x - reach - 1, middle.y - reach - 1),
+                               cell(middle.x + reach, middle.y + reach), [&](LeafId other) {
+                                   if (table.leaf(other).level < leaf.level) {
+                                       append_if_seen(node, leaf, other, edges);
+                                   }
+                               });
     }
 
-private:
     void append_if_seen(std::uint32_t node, const Leaf& leaf, LeafId other_id,
                         std::vector<WeightedEdge>& edges) const {
-        const Leaf& other = table_.leaf(other_id);
+        const Leaf& other = table.leaf(other_id);
         if (!is_within_threshold(leaf, other)) return;
-        const std::optional<std::uint32_t> other_node = index_.find(other_id);
-        if (!other_node.has_value()) return;
+        const std::size_t place = index(other_id) - first_leaf;
+        if (place >= node_of.size() || node_of[place] == kNoNode) return;
         const std::int32_t side = leaf.side_cells();
         const std::int32_t other_side = other.side_cells();
-        if (!blocked_.sees(centre(leaf), centre(other), side, other_side)) return;
+        if (!blocked.sees(centre(leaf), centre(other), side, other_side)) return;
         edges.push_back(
-            {node, *other_node, sight_weight(side * resolution_m_, other_side * resolution_m_)});
+            {node, node_of[place], sight_weight(side * resolution_m, other_side * resolution_m)});
     }
-
-    const LeafTable& table_;
-    const NodeIndex& index_;
-    const BlockedCells& blocked_;
-    double resolution_m_;
 };
+
+/// One after the other; each is given back once it is copied.
+std::vector<WeightedEdge> joined(std::vector<std::vector<WeightedEdge>> chunks) {
+    std::vector<WeightedEdge> all;
+    std::size_t num_edges = 0;
+    for (const std::vector<WeightedEdge>& chunk : chunks) num_edges += chunk.size();
+    all.reserve(num_edges);
+    for (std::vector<WeightedEdge>& chunk : chunks) {
+        all.insert(all.end(), chunk.begin(), chunk.end());
+        std::vector<WeightedEdge>().swap(chunk);
+    }
+    return all;
+}
 
 }  // namespace
 
@@ -101,7 +130,7 @@ double sight_weight(double side_i_m, double side_j_m) {
 std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const LeafId> nodes,
                                       double resolution_m, SelfLoops self_loops,
                                       const Executor& executor) {
-    const NodeIndex index(table, nodes);
+    require_region(table, nodes);
     if (nodes.empty()) return {};
     if (executor.accelerator != nullptr) {
         auto edges = executor.accelerator->sight_edges(table, nodes, resolution_m, self_loops);
@@ -109,7 +138,7 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
     }
     const Box box = bounding_box(table, nodes);
     const BlockedCells blocked(table, box.low, box.high);
-    const SightRow row(table, index, blocked, resolution_m);
+    const SightRow row{table, blocked, resolution_m, index(nodes.front()), nodes_by_leaf(nodes)};
 
     std::int32_t largest_side = 0;
     for (const LeafId id : nodes) {
@@ -122,13 +151,22 @@ std::vector<WeightedEdge> sight_edges(const LeafTable& table, std::span<const Le
         return sight_weight(side_m, side_m);
     };
 
-    return collect_edge_rows(nodes.size(), executor,
-                             [&](std::uint32_t node, std::vector<WeightedEdge>& edges) {
-                                 if (self_loops != SelfLoops::none) {
-                                     edges.push_back({node, node, loop_weight(nodes[node])});
-                                 }
-                                 row.append(node, nodes[node], edges);
-                             });
+    std::vector<std::vector<WeightedEdge>> chunks((nodes.size() + kNodesPerChunk - 1) /
+                                                  kNodesPerChunk);
+    parallel_for(executor, nodes.size(), kNodesPerChunk, [&](std::size_t first, std::size_t last) {
+        std::vector<WeightedEdge>& edges = chunks[first / kNodesPerChunk];
+        for (std::size_t i = first; i < last; ++i) {
+            const auto begin = static_cast<std::ptrdiff_t>(edges.size());
+            const auto node = static_cast<std::uint32_t>(i);
+            if (self_loops != SelfLoops::none) {
+                edges.push_back({node, node, loop_weight(nodes[i])});
+            }
+            row.append(node, nodes[i], edges);
+            std::sort(edges.begin() + begin, edges.end(),
+                      [](const WeightedEdge& a, const WeightedEdge& b) { return a.b < b.b; });
+        }
+    });
+    return joined(std::move(chunks));
 }
 
 }  // namespace quadcut

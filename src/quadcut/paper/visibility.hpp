@@ -2,27 +2,16 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "quadcut/base/ids.hpp"
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/options.hpp"
 #include "quadcut/spectral/graph.hpp"
 
 namespace quadcut {
-
-/// Rule 1 of the paper, "each node has max relevance in itself": the weight of a node's edge to
-/// itself.
-enum class SelfLoops : std::uint8_t {
-    /// No loop.
-    none,
-    /// Eq. (2) with i = j: half the node's side.
-    own_weight,
-    /// The largest weight that eq. (2) gives to any pair of the nodes: half the largest side.
-    largest_weight,
-};
 
 /// The weight of the edge between two leaves of these sides, eq. (2), metres.
 [[nodiscard]] double sight_weight(double side_i_m, double side_j_m);

@@ -33,14 +33,11 @@ template <typename MapByPair, typename Add>
         MapByPair& part = parts[first / num_rows];
         // Most contacts are of the same two regions as the one before.
         auto recent = part.end();
-        const auto meet = [&](std::size_t i, Cell other) {
-            const std::size_t j = labels.offset(other);
-            const Cell own = labels.cell(i);
-            const bool is_first = labels.values[i] < labels.values[j];
-            const std::pair pair = std::minmax(labels.values[i], labels.values[j]);
-            const std::pair<std::uint32_t, std::uint32_t> key{pair.first, pair.second};
+        const auto meet = [&](std::size_t i, std::size_t j) {
+            if (labels.values[i] > labels.values[j]) std::swap(i, j);
+            const std::pair key{labels.values[i], labels.values[j]};
             if (recent == part.end() || recent->first != key) recent = part.try_emplace(key).first;
-            add(recent->second, is_first ? Contact{own, other} : Contact{other, own});
+            add(recent->second, Contact{labels.cell(i), labels.cell(j)});
         };
         const std::uint32_t* const label = labels.values.data();
         for (std::size_t y = first; y < last; ++y) {
@@ -50,10 +47,8 @@ template <typename MapByPair, typename Add>
                 if (own == 0) continue;
                 const std::uint32_t right = x + 1 < width ? label[i + 1] : own;
                 const std::uint32_t above = has_above ? label[i + width] : own;
-                if (right == own && above == own) continue;
-                const Cell cell = labels.cell(i);
-                if (right != own && right != 0) meet(i, {cell.x + 1, cell.y});
-                if (above != own && above != 0) meet(i, {cell.x, cell.y + 1});
+                if (right != own && right != 0) meet(i, i + 1);
+                if (above != own && above != 0) meet(i, i + width);
             }
         }
     });

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string_view>
 
 #include "quadcut/rooms/narrowing.hpp"
 
@@ -12,11 +11,9 @@ namespace quadcut {
 
 inline constexpr std::size_t kNumDoorCues = 39;
 
-/// What the door model looks at, in the order of door_cue_names(). Ratios of lengths and of areas
+/// What the door model looks at, 39 cues. Ratios of lengths and of areas
 /// to the opening are logarithms.
 [[nodiscard]] std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing);
-
-[[nodiscard]] const std::array<std::string_view, kNumDoorCues>& door_cue_names();
 
 /// How clearly a narrowing is a door: the logarithm of the odds (fuse_threshold() says from where
 /// on a cut is kept). A sum of small decision trees, learnt from cuts that people made or left out

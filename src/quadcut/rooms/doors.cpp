@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/morton.hpp"
 #include "quadcut/rooms/contacts.hpp"
 #include "quadcut/rooms/door_model.hpp"
@@ -39,34 +40,21 @@ Contacts find_contacts(const Raster<std::uint32_t>& labels, const Executor& exec
 
 /// Splits the contacts of two regions into openings: contacts that follow each other without a gap.
 std::vector<std::vector<Contact>> split_into_openings(const std::vector<Contact>& contacts) {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> by_cell;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        by_cell[{contacts[i].a.y, contacts[i].a.x}].push_back(i);
+    std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> label_at;
+    LabelSets sets;
+    for (const Contact& contact : contacts) {
+        const std::uint32_t label = sets.add();
+        for_each_cell(Box{contact.a, contact.a}.grown(2), [&](Cell cell) {
+            const auto found = label_at.find({cell.y, cell.x});
+            if (found != label_at.end()) sets.join(label, found->second);
+        });
+        label_at.emplace(std::pair{contact.a.y, contact.a.x}, label);
     }
-    std::vector<bool> seen(contacts.size(), false);
-    std::vector<std::vector<Contact>> openings;
-    for (std::size_t seed = 0; seed < contacts.size(); ++seed) {
-        if (seen[seed]) continue;
-        std::vector<std::size_t> members{seed};
-        seen[seed] = true;
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            const Cell at = contacts[members[i]].a;
-            for (std::int32_t dy = -2; dy <= 2; ++dy) {
-                for (std::int32_t dx = -2; dx <= 2; ++dx) {
-                    const auto found = by_cell.find({at.y + dy, at.x + dx});
-                    if (found == by_cell.end()) continue;
-                    for (const std::size_t next : found->second) {
-                        if (seen[next]) continue;
-                        seen[next] = true;
-                        members.push_back(next);
-                    }
-                }
-            }
-        }
-        std::sort(members.begin(), members.end());
-        std::vector<Contact> opening;
-        for (const std::size_t member : members) opening.push_back(contacts[member]);
-        openings.push_back(std::move(opening));
+    const std::vector<std::uint32_t> opening_of = sets.take_numbers();
+    std::vector<std::vector<Contact>> openings(
+        *std::max_element(opening_of.begin(), opening_of.end()));
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        openings[opening_of[i + 1] - 1].push_back(contacts[i]);
     }
     return openings;
 }

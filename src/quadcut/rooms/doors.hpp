@@ -12,6 +12,9 @@
 
 namespace quadcut {
 
+/// Narrower openings are gaps in the map.
+inline constexpr double kMinDoorM = 0.3;
+
 /// The openings between regions, each of them: two rooms may share several doors. `labels` 1 ..
 /// num_regions; `clearance_m` as the regions were made with; positions come out in the map frame.
 /// Openings narrower than `min_width_m` are left out. Ordered by a, b, then first cell.

@@ -36,12 +36,10 @@ class WallSeeker {
 public:
     WallSeeker(const Raster<std::uint8_t>& free, double resolution_m)
         : free_(free),
-          between_tried_(kBetweenTriedM / resolution_m),
+          resolution_m_(resolution_m),
           flaw_(kFlawM / resolution_m),
           max_gap_(kMaxGapM / resolution_m),
-          min_wall_(kMinWallM / resolution_m),
-          min_piece_(kMinPieceM / resolution_m),
-          face_(kFaceM / resolution_m) {
+          min_wall_(kMinWallM / resolution_m) {
         for (int k = 0; k < kNumDirections; ++k) {
             const double angle = std::numbers::pi * k / kNumDirections;
             const Point along{std::cos(angle), std::sin(angle)};
@@ -58,8 +56,8 @@ public:
         for (const std::size_t offset : obstacle)
             box.include({free_.cell(offset), free_.cell(offset)});
         const double extent = std::hypot(box.width() - 1, box.height() - 1);
-        const std::size_t num_tried =
-            std::min(kMaxTried, 1 + static_cast<std::size_t>(extent / between_tried_));
+        const std::size_t num_tried = std::min(
+            kMaxTried, 1 + static_cast<std::size_t>(extent / (kBetweenTriedM / resolution_m_)));
         const std::size_t stride = std::max<std::size_t>(1, obstacle.size() / num_tried);
         for (std::size_t i = stride / 2; i < obstacle.size(); i += stride) {
             const Cell cell = free_.cell(obstacle[i]);
@@ -101,7 +99,7 @@ private:
         return is_free({from.x + cell.x, from.y + cell.y});
     }
     [[nodiscard]] bool has_face(Cell from, const Point& at, const Point& side) const {
-        for (double t = 1.0; t <= face_; t += 1.0) {
+        for (double t = 1.0; t <= kFaceM / resolution_m_; t += 1.0) {
             if (is_free_at(from, {at.x + t * side.x, at.y + t * side.y})) return true;
         }
         return false;
@@ -119,7 +117,7 @@ private:
                 }
             }
         }
-        return length >= min_piece_;
+        return length >= kMinPieceM / resolution_m_;
     }
     /// Out of the obstacle, over a gap, and into a thin wall that goes on in this direction: the
     /// length of the gap; infinite when there is no such wall within `max_gap`.
@@ -153,12 +151,10 @@ private:
     const Raster<std::uint8_t>& free_;
     /// There and back.
     std::vector<std::pair<Way, Way>> directions_;
-    double between_tried_;
+    double resolution_m_;
     double flaw_;
     double max_gap_;
     double min_wall_;
-    double min_piece_;
-    double face_;
 };
 
 using Obstacles = std::vector<std::vector<std::size_t>>;
@@ -169,13 +165,7 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     const ConnectedParts parts = connected_parts(
         free, [&](std::size_t i) { return free.values[i] == 0 ? 1U : 0U; }, Connectivity::eight,
         executor);
-    std::vector<bool> is_small = parts.on_edge();
-    is_small.flip();
-    is_small.front() = false;
-    const std::vector<std::size_t> num_cells = parts.num_cells();
-    for (std::uint32_t part = 1; part <= parts.count; ++part) {
-        if (static_cast<double>(num_cells[part]) >= max_cells) is_small[part] = false;
-    }
+    std::vector<bool> is_small = parts.islands(max_cells);
     // Cells from the first one outward: of these some are tried as parts of a wall.
     Obstacles small;
     std::vector<bool> seen(free.values.size(), false);

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/rooms/options.hpp"
 
+#include "quadcut/base/option_field.hpp"
+
 namespace quadcut {
 
 void add_fields(RoomsOptions& options, std::vector<OptionField>& fields) {
@@ -16,21 +18,6 @@ void add_fields(RoomsOptions& options, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.max_furniture", "m^2", 0.0, 100.0,
                       "isolated obstacles below this size do not count when widths are measured",
                       "", &options.max_furniture_m2});
-    fields.push_back({"rooms.pieces", "", 0, 0,
-                      "what is fused into rooms: basins of the clearance, or spectral pieces "
-                      "snapped to them",
-                      "", choice(options.pieces, {"basins", "spectral"})});
-    fields.push_back(
-        {"rooms.max_eigenvalue", "1/m^2", 0.0, 100.0,
-         "spectral pieces are cut again while their second eigenvalue is smaller; without "
-         "unit (0 .. 2) unless the Laplacian is by area",
-         "", &options.max_eigenvalue_per_m2});
-    fields.push_back({"rooms.laplacian", "", 0, 0,
-                      "spectral pieces: normalisation of the Laplacian", "",
-                      choice(options.laplacian, {"degree", "unweighted", "area"})});
-    fields.push_back({"rooms.full_clearance", "m", 0.01, 100.0,
-                      "spectral pieces: borders with less clearance than this weigh less", "",
-                      &options.full_clearance_m});
     fields.push_back({"rooms.min_room", "m^2", 0.0, 1e6,
                       "smaller regions join the neighbour with the widest opening", "",
                       &options.min_room_m2});

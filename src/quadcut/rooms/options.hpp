@@ -2,17 +2,11 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <cstdint>
 #include <vector>
-
-#include "quadcut/base/option_field.hpp"
-#include "quadcut/spectral/laplacian.hpp"
 
 namespace quadcut {
 
-/// What is fused into rooms: the basins of the clearance, or the pieces of the spectral over-cut,
-/// snapped to the basins.
-enum class PieceSource : std::uint8_t { basins, spectral };
+struct OptionField;
 
 /// The preset `rooms`. Two knobs are public; the rest is for experiments.
 struct RoomsOptions {
@@ -20,10 +14,6 @@ struct RoomsOptions {
     double door_width_m = 4.0;
     double min_component_m2 = 4.0;
     double max_furniture_m2 = 0.3;
-    PieceSource pieces = PieceSource::basins;
-    double max_eigenvalue_per_m2 = 0.8;
-    LaplacianKind laplacian = LaplacianKind::area;
-    double full_clearance_m = 1.5;
     double min_room_m2 = 1.5;
     double min_passable_m = 0.4;
 };

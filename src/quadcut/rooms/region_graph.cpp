@@ -15,19 +15,9 @@
 namespace quadcut {
 namespace {
 
-/// A robot fits through an opening with this clearance.
-constexpr float kFitsM = 0.25F;
-/// What is smaller is not somewhere to go to.
-constexpr double kPlaceM2 = 2.0;
-
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
 }
-
-struct PieceExtent {
-    std::size_t num_cells = 0;
-    float peak_m = 0.0F;
-};
 
 Saddle turned(const Saddle& saddle) {
     return {saddle.b, saddle.a, saddle.clearance_m, saddle.num_contacts};
@@ -83,21 +73,20 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
       saddles_(num_pieces + 1) {
     std::iota(region_.begin(), region_.end(), 0U);
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-    const auto extents = tally_by_label<PieceExtent>(
+    // Areas are numbers of cells at first.
+    const auto extents = tally_by_label<Extent>(
         pieces, executor,
-        [&](PieceExtent& extent, const LabelRun& run) {
-            extent.num_cells += run.num_cells;
-            extent.peak_m = largest(&clearance_m.values[run.offset], run.num_cells, extent.peak_m);
+        [&](Extent& extent, const LabelRun& run) {
+            extent.area_m2 += static_cast<double>(run.num_cells);
+            extent.peak_m = static_cast<double>(largest(
+                &clearance_m.values[run.offset], run.num_cells, static_cast<float>(extent.peak_m)));
         },
-        [](PieceExtent& extent, const PieceExtent& other) {
-            extent.num_cells += other.num_cells;
+        [](Extent& extent, const Extent& other) {
+            extent.area_m2 += other.area_m2;
             extent.peak_m = std::max(extent.peak_m, other.peak_m);
         });
-    for (std::uint32_t piece = 1; piece < extents.size(); ++piece) {
-        extent_[piece].area_m2 =
-            static_cast<double>(extents[piece].num_cells) * resolution_m * resolution_m;
-        extent_[piece].peak_m = static_cast<double>(extents[piece].peak_m);
-    }
+    std::copy(extents.begin(), extents.end(), extent_.begin());
+    for (Extent& extent : extent_) extent.area_m2 = extent.area_m2 * resolution_m * resolution_m;
     for (const auto& [pair, saddle] : saddles) {
         saddles_[pair.first].emplace(pair.second, saddle);
         saddles_[pair.second].emplace(pair.first, turned(saddle));

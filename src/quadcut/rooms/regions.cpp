@@ -35,13 +35,10 @@ bool is_set(const std::vector<bool>& flags, std::uint32_t label) {
     return label < flags.size() && flags[label];
 }
 
-struct Part {
-    std::vector<std::size_t> cells;
-};
-
-/// Every part of a region but its largest.
-std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels,
-                                 const std::vector<bool>& goes_on, const Executor& executor) {
+/// The cells of every part of a region but its largest.
+std::vector<std::vector<std::size_t>> detached_parts(const Raster<std::uint32_t>& labels,
+                                                     const std::vector<bool>& goes_on,
+                                                     const Executor& executor) {
     const ConnectedParts parts = connected_parts(
         labels, [&](std::size_t i) { return labels.values[i]; }, Connectivity::four, executor);
     const std::vector<std::size_t> num_cells = parts.num_cells();
@@ -60,11 +57,7 @@ std::vector<Part> detached_parts(const Raster<std::uint32_t>& labels,
         if (best != 0) is_detached[is_larger ? best : run.part] = true;
         if (is_larger) best = run.part;
     });
-    std::vector<Part> detached;
-    for (auto& cells : parts.cells_of(is_detached)) {
-        if (!cells.empty()) detached.push_back({std::move(cells)});
-    }
-    return detached;
+    return parts.cells_of(is_detached);
 }
 
 /// The label 0 in place of those that are to be dropped.
@@ -136,32 +129,59 @@ OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<std
     return walk;
 }
 
+/// Gives the outline's cells on the ways that lead to `room`, or all ways when that is 0.
+void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_t room,
+            std::uint32_t label) {
+    for (const auto& [reached, arrival] : walk.arrivals) {
+        if (room != 0 && reached != room) continue;
+        for (std::size_t at = arrival;; at = walk.reached[at].from) {
+            std::uint32_t& own = labels.values[walk.reached[at].cell];
+            if (own != 0) break;
+            own = label;
+        }
+    }
+}
+
+/// The cells of free space that may be a pocket.
+std::vector<std::vector<std::size_t>> find_pockets(const Raster<std::uint32_t>& labels,
+                                                   const Raster<std::uint8_t>& free,
+                                                   double max_pocket_cells,
+                                                   const Executor& executor) {
+    const ConnectedParts parts = connected_parts(
+        labels,
+        [&](std::size_t i) { return free.values[i] == 0     ? 0U
+                                    : labels.values[i] != 0 ? 2U
+                                                            : 1U; },
+        Connectivity::four, executor);
+    return parts.cells_of(parts.islands(std::floor(kTimesLarger * max_pocket_cells) + 1.0));
+}
+
 }  // namespace
 
 void connect_regions(Raster<std::uint32_t>& labels, const std::vector<bool>& goes_on,
                      const Executor& executor) {
-    std::vector<Part> waiting = detached_parts(labels, goes_on, executor);
-    for (const Part& part : waiting) {
-        for (const std::size_t cell : part.cells) labels.values[cell] = 0;
+    std::vector<std::vector<std::size_t>> waiting = detached_parts(labels, goes_on, executor);
+    for (const auto& cells : waiting) {
+        for (const std::size_t cell : cells) labels.values[cell] = 0;
     }
     // Only what is connected already gives its label: a part may have to wait for its neighbour.
     for (bool is_progress = true; is_progress;) {
         is_progress = false;
-        std::vector<Part> still_waiting;
-        for (Part& part : waiting) {
+        std::vector<std::vector<std::size_t>> still_waiting;
+        for (auto& cells : waiting) {
             std::map<std::uint32_t, std::size_t> contacts;
-            for (const std::size_t cell : part.cells) {
+            for (const std::size_t cell : cells) {
                 for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
                     if (labels.values[next] != 0) ++contacts[labels.values[next]];
                 }
             }
             const std::uint32_t heir = most_frequent(contacts);
             if (heir == 0) {
-                still_waiting.push_back(std::move(part));
+                still_waiting.push_back(std::move(cells));
                 continue;
             }
             is_progress = true;
-            for (const std::size_t cell : part.cells) labels.values[cell] = heir;
+            for (const std::size_t cell : cells) labels.values[cell] = heir;
         }
         waiting = std::move(still_waiting);
     }
@@ -194,67 +214,27 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
     drop(labels, floor.size(), executor, [&](std::uint32_t label) { return floor[label] == 0; });
 }
 
-Pockets find_pockets(const Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                     double resolution_m, double max_pocket_m2, const Executor& executor) {
-    const double cell_m2 = resolution_m * resolution_m;
-    const ConnectedParts parts = connected_parts(
-        labels,
-        [&](std::size_t i) { return free.values[i] == 0     ? 0U
-                                    : labels.values[i] != 0 ? 2U
-                                                            : 1U; },
-        Connectivity::four, executor);
-    // What leaves the raster is part of something larger.
-    std::vector<bool> is_pocket = parts.on_edge();
-    is_pocket.flip();
-    is_pocket.front() = false;
-    const std::vector<std::size_t> num_cells = parts.num_cells();
-    for (std::uint32_t part = 1; part <= parts.count; ++part) {
-        if (static_cast<double>(num_cells[part]) * cell_m2 > kTimesLarger * max_pocket_m2) {
-            is_pocket[part] = false;
-        }
-    }
-    Pockets pockets;
-    pockets.max_cells = static_cast<std::size_t>(max_pocket_m2 / cell_m2);
-    pockets.outline_cells =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kOutlineM / resolution_m)));
-    for (auto& cells : parts.cells_of(is_pocket)) {
-        if (!cells.empty()) pockets.cells.push_back(std::move(cells));
-    }
-    return pockets;
-}
-
-namespace {
-
-/// Gives the outline's cells on the ways that lead to `room`, or all ways when that is 0.
-void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_t room,
-            std::uint32_t label) {
-    for (const auto& [reached, arrival] : walk.arrivals) {
-        if (room != 0 && reached != room) continue;
-        for (std::size_t at = arrival;; at = walk.reached[at].from) {
-            std::uint32_t& own = labels.values[walk.reached[at].cell];
-            if (own != 0) break;
-            own = label;
-        }
-    }
-}
-
-}  // namespace
-
 Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                       const Pockets& pockets, const Executor& executor) {
+                       double resolution_m, double max_pocket_m2, const Executor& executor) {
+    const double max_pocket_cells = max_pocket_m2 / (resolution_m * resolution_m);
+    const auto max_small = static_cast<std::size_t>(max_pocket_cells);
+    // The thickest outline.
+    const auto outline_cells =
+        static_cast<std::size_t>(std::max(1L, std::lround(kOutlineM / resolution_m)));
     const auto num_cells = tally_by_label<std::size_t>(
         labels, executor, [](std::size_t& count, const LabelRun& run) { count += run.num_cells; },
         [](std::size_t& count, std::size_t other) { count += other; });
     Adoption adoption;
-    for (const std::vector<std::size_t>& pocket : pockets.cells) {
+    for (const std::vector<std::size_t>& pocket :
+         find_pockets(labels, free, max_pocket_cells, executor)) {
         const std::uint32_t label = labels.values[pocket.front()];
         const bool is_room = label != 0;
         // It is connected with a room through furniture.
         if (is_room && num_cells[label] > 2 * pocket.size()) continue;
-        const bool is_small = pocket.size() <= pockets.max_cells;
+        const bool is_small = pocket.size() <= max_small;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
-        const OutlineWalk walk = walk_through_outline(labels, free, pocket, pockets.outline_cells);
+        const OutlineWalk walk = walk_through_outline(labels, free, pocket, outline_cells);
         const std::uint32_t room = most_frequent(walk.ways);
         std::size_t num_ways = 0;
         for (const auto& [reached, count] : walk.ways) num_ways += count;
@@ -263,8 +243,7 @@ Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>
         };
         // Two small rooms beside each other are no pockets of each other.
         const bool is_adopted =
-            room != 0 &&
-            (!is_room || num_cells[room] > std::max(pockets.max_cells, 2 * pocket.size())) &&
+            room != 0 && (!is_room || num_cells[room] > std::max(max_small, 2 * pocket.size())) &&
             (is_small || walk.ways.size() == 1) &&
             has_share(walk.ways.at(room), is_small ? kMinShare : kMinShareAround);
         for (std::size_t i = 0; i < pocket.size(); ++i) {

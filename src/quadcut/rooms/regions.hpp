@@ -24,21 +24,6 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
                      double min_width_m, const std::vector<bool>& goes_on = {},
                      const Executor& executor = {});
 
-/// Connected free space, with or without a label, that may be the inside of furniture.
-struct Pockets {
-    std::vector<std::vector<std::size_t>> cells;
-    /// What is not larger is a small one.
-    std::size_t max_cells = 0;
-    /// The thickest outline, in cells.
-    std::size_t outline_cells = 1;
-};
-
-/// Those of at most `max_pocket_m2`, and larger ones up to five times that. `free`: 1 = free in the
-/// map. O(cells).
-[[nodiscard]] Pockets find_pockets(const Raster<std::uint32_t>& labels,
-                                   const Raster<std::uint8_t>& free, double resolution_m,
-                                   double max_pocket_m2, const Executor& executor = {});
-
 /// A larger pocket, one region, with several regions around it: when these are one room it is no
 /// room of its own.
 struct Enclosure {
@@ -51,13 +36,15 @@ struct Adoption {
     std::vector<Enclosure> enclosures;
 };
 
-/// Gives pockets to the room around them: the free inside of a cupboard, bin or table that is drawn
-/// as an outline. A small pocket is given when at least a quarter of its border lies behind an
-/// outline at most 0.1 m thick from one room, a larger one when three fifths do and no other room
-/// is behind the rest. The outline between goes to that room, too, so that it stays connected; that
-/// of an enclosure goes to the pocket. O(cells).
+/// Gives pockets to the room around them: connected free space, with or without a label, that may
+/// be the free inside of a cupboard, bin or table that is drawn as an outline. They have at most
+/// `max_pocket_m2` (small ones), or up to five times that. `free`: 1 = free in the map. A small
+/// pocket is given when at least a quarter of its border lies behind an outline at most 0.1 m thick
+/// from one room, a larger one when three fifths do and no other room is behind the rest. The
+/// outline between goes to that room, too, so that it stays connected; that of an enclosure goes to
+/// the pocket. O(cells).
 Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
-                       const Pockets& pockets, const Executor& executor = {});
+                       double resolution_m, double max_pocket_m2, const Executor& executor = {});
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
 void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,

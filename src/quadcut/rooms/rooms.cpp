@@ -8,11 +8,11 @@
 
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/flood.hpp"
+#include "quadcut/rooms/basins.hpp"
 #include "quadcut/rooms/fuse.hpp"
 #include "quadcut/rooms/hierarchy.hpp"
 #include "quadcut/rooms/label_tally.hpp"
 #include "quadcut/rooms/open_space.hpp"
-#include "quadcut/rooms/pieces.hpp"
 #include "quadcut/rooms/regions.hpp"
 
 namespace quadcut {
@@ -49,9 +49,8 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     connect_regions(labels, goes_on, executor);
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
-    const Adoption adoption = adopt_pockets(
-        labels, floor.free,
-        find_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor), executor);
+    const Adoption adoption =
+        adopt_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor);
     drop_without_floor(labels, floor.free, executor);
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
@@ -63,15 +62,16 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
 
 }  // namespace
 
-RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, std::uint64_t seed,
-                        StageClock& clock, const Executor& executor, Hierarchy* hierarchy) {
+RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageClock& clock,
+                        const Executor& executor, Hierarchy* hierarchy) {
     RoomsCut cut;
     clock.begin("clearance");
     Raster<std::uint8_t> open =
         open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
-    Basins pieces = find_pieces(std::move(open), cut.clearance_m, floor.resolution_m, options, seed,
-                                clock, executor, cut.report);
+    clock.begin("cut");
+    open = {};  // The basins are the memory's peak.
+    Basins pieces = build_basins(cut.clearance_m, floor.resolution_m, executor);
     cut.rooms = std::move(pieces.labels);
     cut.num_pieces = pieces.count;
     clock.begin("graph");
@@ -80,10 +80,8 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, std::uint
     if (keeps_pieces) cut.pieces = cut.rooms;
     RegionGraph regions(keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
                         floor.resolution_m, executor);
-    if (options.pieces == PieceSource::basins) {
-        cut.report.num_leaves = cut.num_pieces;
-        cut.report.num_edges = regions.num_saddles();
-    }
+    cut.report.num_leaves = cut.num_pieces;
+    cut.report.num_edges = regions.num_saddles();
     if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
     clock.begin("fuse");
     fuse_into_rooms(floor, options, executor, regions, cut, hierarchy);

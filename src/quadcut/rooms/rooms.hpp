@@ -43,7 +43,7 @@ struct RoomsCut {
 /// find their room. With `hierarchy`: all levels, too.
 /// O(cells + 5 m around each saddle, as often as what lies there changes).
 [[nodiscard]] RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options,
-                                      std::uint64_t seed, StageClock& clock,
-                                      const Executor& executor, Hierarchy* hierarchy = nullptr);
+                                      StageClock& clock, const Executor& executor,
+                                      Hierarchy* hierarchy = nullptr);
 
 }  // namespace quadcut

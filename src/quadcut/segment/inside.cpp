@@ -7,9 +7,28 @@
 #include <cstddef>
 #include <vector>
 
-#include "quadcut/map/components.hpp"
-
 namespace quadcut {
+namespace {
+
+/// A building fills at least this much of the ground around it; less are things inside of one.
+constexpr double kMinBuildingShare = 0.05;
+
+/// Of each part, on the border of the raster.
+std::vector<std::uint32_t> num_border_cells(const ConnectedParts& parts) {
+    std::vector<std::uint32_t> result(parts.count + std::size_t{1}, 0);
+    const auto width = static_cast<std::size_t>(parts.width);
+    const std::size_t last_row = width * (parts.row_begin.size() - 2);
+    parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        const bool is_edge_row = first < width || first >= last_row;
+        const std::uint32_t num_ends =
+            (run.begin == 0 ? 1U : 0U) + (run.end == width && width > 1 ? 1U : 0U);
+        result[run.part] += is_edge_row ? run.end - run.begin : num_ends;
+    });
+    return result;
+}
+
+}  // namespace
+
 Raster<std::uint8_t> mask_of(const GridMap& map, CellState state) {
     Raster<std::uint8_t> mask(map.states.origin, map.states.width, map.states.height);
     std::transform(
@@ -32,19 +51,47 @@ std::vector<Cell> visited_cells(const GridMap& map, std::span<const Point> traje
     return cells;
 }
 
+std::uint32_t find_outside(const ConnectedParts& free, std::size_t min_cells) {
+    const auto width = static_cast<std::size_t>(free.width);
+    const std::size_t height = free.row_begin.size() - 1;
+    const std::size_t border =
+        width < 2 || height < 2 ? width * height : 2 * width + 2 * height - 4;
+    const std::vector<std::size_t> num_cells = free.num_cells();
+    const std::vector<std::uint32_t> num_border = num_border_cells(free);
+    std::uint32_t outside = 0;
+    std::size_t num_others = 0;
+    for (std::uint32_t part = 1; part <= free.count; ++part) {
+        if (2 * std::size_t{num_border[part]} > border) {
+            outside = part;
+        } else if (num_cells[part] >= min_cells) {
+            num_others += num_cells[part];
+        }
+    }
+    const bool is_building = static_cast<double>(num_others) <
+                             kMinBuildingShare * static_cast<double>(num_cells[outside]);
+    return is_building ? 0 : outside;
+}
+
 Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
                             double min_area_m2, const Executor& executor) {
-    const FreeComponents free = find_free_components(map.states, executor);
+    const ConnectedParts free = free_parts(map.states, executor);
     const double min_cells = min_area_m2 / (map.resolution_m * map.resolution_m);
-    std::vector<bool> kept;
-    for (const FreeComponents::Component& component : free.components) {
-        kept.push_back(static_cast<double>(component.num_cells) >= min_cells);
+    std::vector<std::uint8_t> kept;
+    for (const std::size_t num_cells : free.num_cells()) {
+        kept.push_back(num_cells > 0 && static_cast<double>(num_cells) >= min_cells ? 1 : 0);
     }
-    const auto outside = find_outside(free, static_cast<std::size_t>(std::ceil(min_cells)));
-    if (outside && !components_with(free, visited_cells(map, trajectory))[*outside]) {
-        kept[*outside] = false;
-    }
-    return mask_of(free, kept, executor);
+    const std::uint32_t outside =
+        find_outside(free, static_cast<std::size_t>(std::ceil(min_cells)));
+    const std::vector<Cell> visited = visited_cells(map, trajectory);
+    const Cell origin = map.states.origin;
+    const bool is_entered = std::any_of(visited.begin(), visited.end(), [&](Cell cell) {
+        return free.part_at(static_cast<std::uint32_t>(cell.x - origin.x),
+                            static_cast<std::size_t>(cell.y - origin.y)) == outside;
+    });
+    if (!is_entered) kept[outside] = 0;
+    auto mask = Raster<std::uint8_t>::unset(map.states.box());
+    free.paint(kept, mask, executor);
+    return mask;
 }
 
 }  // namespace quadcut

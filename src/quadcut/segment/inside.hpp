@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
 
@@ -20,6 +22,12 @@ namespace quadcut {
 /// map are left out.
 [[nodiscard]] std::vector<Cell> visited_cells(const GridMap& map,
                                               std::span<const Point> trajectory);
+
+/// The part that covers more than half of the raster's border, if there is one and the others
+/// together have at least a twentieth of its cells: the ground around a building. Otherwise it is
+/// the building itself, in a map with leaky walls or a tight frame, and the answer is 0. Parts of
+/// fewer than `min_cells` do not count as something else. O(runs).
+[[nodiscard]] std::uint32_t find_outside(const ConnectedParts& free, std::size_t min_cells);
 
 /// The free space to be cut, 1 = inside: connected free cells (4 neighbours) of at least
 /// `min_area_m2` together. A component that covers more than half of the image's border is the

@@ -8,23 +8,21 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/stage_clock.hpp"
 #include "quadcut/map/clearance.hpp"
-#include "quadcut/map/free_leaves.hpp"
 #include "quadcut/map/layout.hpp"
-#include "quadcut/paper/find_submaps.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/paper/submaps.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
-#include "quadcut/rooms/pieces.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/reading_order.hpp"
 
 namespace quadcut {
 namespace {
-
-/// Narrower openings are gaps in the map.
-constexpr double kMinDoorM = 0.3;
 
 /// Numbers, doors and descriptions: what both presets end with. The rasters are laid out.
 void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridMap& map,
@@ -78,7 +76,7 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
-                                  options.rooms, options.seed, clock, executor, hierarchy);
+                                  options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {
@@ -140,10 +138,10 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
 
 }  // namespace
 
-Segmentation segment(const GridMap& map, const SegmentOptions& options,
-                     std::span<const Point> trajectory, const StageCallback& on_stage) {
-    StageClock clock(on_stage);
-    const Executor executor{static_cast<int>(options.num_threads), options.accelerator};
+Segmentation segment(const GridMap& map, const SegmentOptions& options, const RunOptions& run,
+                     std::span<const Point> trajectory) {
+    StageClock clock(run.on_stage);
+    const Executor executor = run.executor();
     Segmentation result =
         options.preset == Preset::rooms
             ? segment_rooms(map, options, trajectory, clock, executor)
@@ -151,5 +149,7 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options,
     result.report.stages_ms = clock.finish();
     return result;
 }
+
+Segmentation segment(const GridMap& map) { return segment(map, SegmentOptions{}); }
 
 }  // namespace quadcut

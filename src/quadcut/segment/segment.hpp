@@ -5,21 +5,24 @@
 #include <span>
 
 #include "quadcut/base/geometry.hpp"
-#include "quadcut/base/stage_clock.hpp"
+#include "quadcut/base/run_options.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
+
+struct SegmentOptions;
 
 /// Cuts a finished map into rooms, by the preset in `options`.
 ///
 /// `trajectory`: where the robot has been, metres in the map frame; may be empty. It tells inside
 /// from outside. A map without free space gives no rooms. Deterministic: the same rooms for the
-/// same input, on any number of threads. Throws NumericalError if an eigensolver fails its checks,
+/// same input, however it runs. Throws NumericalError if an eigensolver fails its checks,
 /// InputError if there are more than 65,535 rooms.
-[[nodiscard]] Segmentation segment(const GridMap& map, const SegmentOptions& options = {},
-                                   std::span<const Point> trajectory = {},
-                                   const StageCallback& on_stage = {});
+[[nodiscard]] Segmentation segment(const GridMap& map, const SegmentOptions& options,
+                                   const RunOptions& run = {},
+                                   std::span<const Point> trajectory = {});
+/// With the options as they are (quadcut/segment/options.hpp).
+[[nodiscard]] Segmentation segment(const GridMap& map);
 
 }  // namespace quadcut

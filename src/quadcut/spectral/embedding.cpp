@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quadcut {
 
@@ -29,6 +30,20 @@ Embedding embed(const Eigenpairs& pairs, std::size_t num_dims, RowScaling scalin
         for (double& value : row) value /= std::sqrt(squared);
     }
     return out;
+}
+
+Clustering numbered_by_first_sample(std::span<const std::uint32_t> labels, std::size_t num_labels) {
+    constexpr auto kUnseen = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(num_labels, kUnseen);
+    Clustering clustering;
+    clustering.labels.reserve(labels.size());
+    for (const std::uint32_t label : labels) {
+        if (number[label] == kUnseen) {
+            number[label] = static_cast<std::uint32_t>(clustering.num_clusters++);
+        }
+        clustering.labels.push_back(number[label]);
+    }
+    return clustering;
 }
 
 }  // namespace quadcut

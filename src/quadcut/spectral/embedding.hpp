@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadcut/spectral/eigensolver.hpp"
+#include "quadcut/spectral/options.hpp"
 
 namespace quadcut {
 
@@ -22,10 +23,6 @@ struct Embedding {
     }
 };
 
-/// What is done to the rows of an embedding. `unit_length`: scaled to length 1 (Ng, Jordan, Weiss
-/// 2001); rows of zeros stay.
-enum class RowScaling : std::uint8_t { none, unit_length };
-
 /// Eqs. (5) and (6): the `num_dims` first eigenvectors as columns, each row a sample; all of them
 /// if there are fewer. O(samples * dims).
 [[nodiscard]] Embedding embed(const Eigenpairs& pairs, std::size_t num_dims,
@@ -36,5 +33,9 @@ struct Clustering {
     std::vector<std::uint32_t> labels;
     std::size_t num_clusters = 0;
 };
+
+/// Clusters numbered by first sample; of `num_labels` labels, those of no sample disappear.
+[[nodiscard]] Clustering numbered_by_first_sample(std::span<const std::uint32_t> labels,
+                                                  std::size_t num_labels);
 
 }  // namespace quadcut

@@ -113,7 +113,7 @@ public:
             changed = assign();
         }
         fill_empty_clusters();
-        result.clustering = renumbered();
+        result.clustering = numbered_by_first_sample(labels_, num_clusters());
         result.inertia = inertia_of(samples_, labels_, means_);
         return result;
     }
@@ -218,19 +218,6 @@ private:
             labels_[farthest] = static_cast<std::uint32_t>(c);
             means_ = means_of(samples_, labels_, num_clusters(), executor_);
         }
-    }
-
-    [[nodiscard]] Clustering renumbered() const {
-        constexpr auto kUnseen = std::numeric_limits<std::uint32_t>::max();
-        std::vector<std::uint32_t> number(num_clusters(), kUnseen);
-        Clustering clustering;
-        clustering.labels.resize(labels_.size());
-        for (std::size_t i = 0; i < labels_.size(); ++i) {
-            std::uint32_t& own = number[labels_[i]];
-            if (own == kUnseen) own = static_cast<std::uint32_t>(clustering.num_clusters++);
-            clustering.labels[i] = own;
-        }
-        return clustering;
     }
 
     const Embedding& samples_;

@@ -9,21 +9,9 @@
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/spectral/graph.hpp"
+#include "quadcut/spectral/options.hpp"
 
 namespace quadcut {
-
-/// How a Laplacian is normalised. W: weights; D: diagonal of row sums of W; A: areas of the nodes.
-enum class LaplacianKind : std::uint8_t {
-    /// Eq. (4) as Shi and Malik mean it: I - D^-1/2 W D^-1/2. A self-loop enters W and D alike.
-    /// Eigenvalues in [0, 2], without unit.
-    degree,
-    /// Eq. (4) as printed: 1 on the diagonal, -1 / sqrt(deg_i deg_j) beside it, deg = number of
-    /// neighbours; loops and weights play no part. Eigenvalues in [0, 2], without unit.
-    unweighted,
-    /// A^-1/2 (D - W) A^-1/2; loops cancel. With border weights it discretises minus the Laplace
-    /// operator of the free space: eigenvalues in 1/m2.
-    area,
-};
 
 /// The normalised Laplacian of a graph, a symmetric positive semidefinite matrix, seen as an
 /// operator: a size and a product. Its zero eigenvalues are as many as the graph has components.

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/spectral/pivoted_qr.hpp"
 
-#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -56,28 +55,14 @@ RowMatrix choose_pivots(const Embedding& samples, const Executor& executor) {
     return pivots.topRows(count);
 }
 
-/// Labels numbered by first sample; axes without a sample disappear.
-Clustering renumbered(const std::vector<std::uint32_t>& axes, std::size_t num_axes) {
-    constexpr auto kUnseen = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> number(num_axes, kUnseen);
-    Clustering clustering;
-    clustering.labels.resize(axes.size());
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        std::uint32_t& own = number[axes[i]];
-        if (own == kUnseen) own = static_cast<std::uint32_t>(clustering.num_clusters++);
-        clustering.labels[i] = own;
-    }
-    return clustering;
-}
-
 }  // namespace
 
 Clustering cluster_pivoted_qr(const Embedding& samples, const Executor& executor) {
     if (samples.num_samples == 0) return {};
     std::vector<std::uint32_t> axes(samples.num_samples, 0);
-    if (samples.num_dims == 0) return renumbered(axes, 1);
+    if (samples.num_dims == 0) return numbered_by_first_sample(axes, 1);
     const RowMatrix pivots = choose_pivots(samples, executor);
-    if (pivots.rows() == 0) return renumbered(axes, 1);
+    if (pivots.rows() == 0) return numbered_by_first_sample(axes, 1);
 
     // The orthogonal polar factor of the pivots: the rotation whose axes come nearest to them.
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(pivots.transpose(),
@@ -92,7 +77,7 @@ Clustering cluster_pivoted_qr(const Embedding& samples, const Executor& executor
                          axes[i] = static_cast<std::uint32_t>(axis);
                      }
                  });
-    return renumbered(axes, static_cast<std::size_t>(pivots.rows()));
+    return numbered_by_first_sample(axes, static_cast<std::size_t>(pivots.rows()));
 }
 
 }  // namespace quadcut

@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Core>
-
 #include "quadcut/base/random.hpp"
 
 namespace quadcut {
@@ -24,38 +22,12 @@ struct Level {
     std::size_t num_dims = 0;
     Clustering clusters;
     std::vector<std::size_t> sizes;
-    /// 1 / (2 sigma^2) of the Gaussian form; 0: the Euclidean distance.
-    double gaussian = 0.0;
-    /// Where rows are scaled to length 1: what each was multiplied with. Else empty.
-    std::vector<double> scale;
 };
 
-/// Twice the sum of squared distances to the mean, over n - 1: that is the mean squared distance
-/// of two different samples.
-double mean_squared_distance(const Embedding& samples) {
-    if (samples.num_samples < 2) return 0.0;
-    std::vector<double> mean(samples.num_dims, 0.0);
-    for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        const auto row = samples.row(i);
-        for (std::size_t d = 0; d < row.size(); ++d) mean[d] += row[d];
-    }
-    for (double& value : mean) value /= static_cast<double>(samples.num_samples);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        const auto row = samples.row(i);
-        for (std::size_t d = 0; d < row.size(); ++d) sum += (row[d] - mean[d]) * (row[d] - mean[d]);
-    }
-    return 2.0 * sum / static_cast<double>(samples.num_samples - 1);
-}
-
-Level make_level(const Embedding& samples, Clustering clusters, SampleDistance distance) {
-    Level level{samples.num_dims, std::move(clusters), {}, 0.0, {}};
+Level make_level(const Embedding& samples, Clustering clusters) {
+    Level level{samples.num_dims, std::move(clusters), {}};
     level.sizes.assign(level.clusters.num_clusters, 0);
     for (const std::uint32_t label : level.clusters.labels) ++level.sizes[label];
-    if (distance == SampleDistance::gaussian) {
-        const double mean = mean_squared_distance(samples);
-        level.gaussian = 0.5 / std::max(mean, std::numeric_limits<double>::min());
-    }
     return level;
 }
 
@@ -105,9 +77,11 @@ public:
                 for (std::size_t l = 0; l < levels.size(); ++l) {
                     const Level& level = levels[l];
                     for (; num_dims < level.num_dims; ++num_dims) {
-                        add_dimension(num_dims, i, level.scale.empty(), grown);
+                        add_dimension(num_dims, i, grown);
                     }
-                    measure(level, i, grown, distances);
+                    for (std::size_t j = 0; j < num_samples_; ++j) {
+                        distances[j] = std::sqrt(grown[j]);
+                    }
                     add_up(level, distances, sums);
                     result[l][i] = silhouette(level.clusters.labels[i], sums, level.sizes);
                 }
@@ -118,17 +92,12 @@ public:
     }
 
 private:
-    /// Adds to squared distances from sample i, or to scalar products where rows will be scaled.
-    void add_dimension(std::size_t dim, std::size_t i, bool is_distance,
-                       std::vector<double>& grown) const {
+    /// Adds to squared distances from sample i.
+    void add_dimension(std::size_t dim, std::size_t i, std::vector<double>& grown) const {
         const auto column = std::span(columns_).subspan(dim * num_samples_, num_samples_);
         const double own = column[i];
-        if (is_distance) {
-            for (std::size_t j = 0; j < num_samples_; ++j) {
-                grown[j] += (column[j] - own) * (column[j] - own);
-            }
-        } else {
-            for (std::size_t j = 0; j < num_samples_; ++j) grown[j] += column[j] * own;
+        for (std::size_t j = 0; j < num_samples_; ++j) {
+            grown[j] += (column[j] - own) * (column[j] - own);
         }
     }
 
@@ -147,29 +116,6 @@ private:
             sums[c] = (lane[0] + lane[1]) + (lane[2] + lane[3]);
         }
         sums.resize(num_clusters);
-    }
-
-    void measure(const Level& level, std::size_t i, const std::vector<double>& grown,
-                 std::vector<double>& distances) const {
-        if (level.scale.empty()) {
-            distances = grown;
-        } else {
-            // Rows of length 1, or of zeros.
-            const double own = level.scale[i] > 0.0 ? 1.0 : 0.0;
-            for (std::size_t j = 0; j < num_samples_; ++j) {
-                const double product = grown[j] * level.scale[i] * level.scale[j];
-                const double other = level.scale[j] > 0.0 ? 1.0 : 0.0;
-                distances[j] = std::max(0.0, own + other - 2.0 * product);
-            }
-            distances[i] = 0.0;
-        }
-        Eigen::Map<Eigen::ArrayXd> values(distances.data(),
-                                          static_cast<Eigen::Index>(num_samples_));
-        if (level.gaussian > 0.0) {
-            values = 1.0 - (-level.gaussian * values).exp();
-        } else {
-            values = values.sqrt();
-        }
     }
 
     std::size_t num_samples_;
@@ -206,37 +152,25 @@ Embedding rows_of(const Embedding& samples, const std::vector<std::size_t>& chos
     return rows;
 }
 
-/// Of the rows' first `num_dims` entries; 0 for a row of zeros.
-std::vector<double> inverse_lengths(const Embedding& samples, std::size_t num_dims) {
-    std::vector<double> result(samples.num_samples, 0.0);
-    for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        double squared = 0.0;
-        for (const double value : samples.row(i).first(num_dims)) squared += value * value;
-        if (squared > 0.0) result[i] = 1.0 / std::sqrt(squared);
-    }
-    return result;
-}
-
 /// The mean silhouette of k-means for each number of clusters, on a sample of the nodes.
 std::vector<double> score_numbers(const Eigenpairs& pairs, std::size_t max_clusters,
                                   const ChooseOptions& options, const Executor& executor) {
     const std::vector<std::size_t> chosen =
         draw_samples(pairs.num_nodes, options.silhouette.max_samples, options.silhouette.seed);
-    const Embedding samples = rows_of(embed(pairs, max_clusters), chosen);
     std::vector<Level> levels(max_clusters + 1 - options.min_clusters);
+    std::vector<double> scores(levels.size());
+    // Scaled rows have other distances at each level.
+    const bool is_scaled = options.scaling != RowScaling::none;
     parallel_for(executor, levels.size(), 1, [&](std::size_t i, std::size_t) {
         const std::size_t k = options.min_clusters + i;
         const Embedding part = rows_of(embed(pairs, k, options.scaling), chosen);
-        Clustering clusters = cluster_k_means(part, k, options.k_means).clustering;
-        levels[i] = make_level(part, std::move(clusters), options.silhouette.distance);
-        if (options.scaling == RowScaling::unit_length) {
-            levels[i].scale = inverse_lengths(samples, k);
-        }
+        levels[i] = make_level(part, cluster_k_means(part, k, options.k_means).clustering);
+        if (is_scaled) scores[i] = mean_of(silhouettes(part, levels[i].clusters, executor));
     });
-    std::vector<double> scores;
-    for (const auto& values : LevelSilhouettes(samples).compute(levels, executor)) {
-        scores.push_back(mean_of(values));
-    }
+    if (is_scaled) return scores;
+    const LevelSilhouettes all(rows_of(embed(pairs, max_clusters), chosen));
+    const auto values = all.compute(levels, executor);
+    std::transform(values.begin(), values.end(), scores.begin(), mean_of);
     return scores;
 }
 
@@ -249,10 +183,9 @@ void check(const Embedding& samples, const Clustering& clusters) {
 }  // namespace
 
 std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
-                                SampleDistance distance, const Executor& executor) {
+                                const Executor& executor) {
     check(samples, clusters);
-    return LevelSilhouettes(samples).compute({make_level(samples, clusters, distance)},
-                                             executor)[0];
+    return LevelSilhouettes(samples).compute({make_level(samples, clusters)}, executor)[0];
 }
 
 double mean_silhouette(const Embedding& samples, const Clustering& clusters,
@@ -262,7 +195,7 @@ double mean_silhouette(const Embedding& samples, const Clustering& clusters,
         draw_samples(samples.num_samples, options.max_samples, options.seed);
     Clustering of_chosen{{}, clusters.num_clusters};
     for (const std::size_t i : chosen) of_chosen.labels.push_back(clusters.labels[i]);
-    return mean_of(silhouettes(rows_of(samples, chosen), of_chosen, options.distance, executor));
+    return mean_of(silhouettes(rows_of(samples, chosen), of_chosen, executor));
 }
 
 ChosenClustering choose_num_clusters(const Eigenpairs& pairs, const ChooseOptions& options,

@@ -13,22 +13,16 @@
 
 namespace quadcut {
 
-/// The distance S of eqs. (7) and (8). `gaussian`: 1 - exp(-d^2 / (2 sigma^2)) of the Euclidean
-/// distance d, sigma^2 = the mean of d^2 over all pairs of samples.
-enum class SampleDistance : std::uint8_t { euclidean, gaussian };
-
 struct SilhouetteOptions {
-    SampleDistance distance = SampleDistance::euclidean;
     /// Above this many samples the score is that of a seeded sample of so many.
     std::size_t max_samples = 4000;
     std::uint64_t seed = 1;
 };
 
-/// Silhouettes (Rousseeuw 1987) of all samples, in [-1, 1]; 0 in a cluster of one, and 0 when there
-/// is only one cluster. Eqs. (7), (8), (9). O(samples^2 * dims). Throws std::logic_error if labels
-/// and samples differ in number.
+/// Silhouettes (Rousseeuw 1987) of all samples by Euclidean distance, in [-1, 1]; 0 in a cluster of
+/// one, and 0 when there is only one cluster. Eqs. (7), (8), (9). O(samples^2 * dims). Throws
+/// std::logic_error if labels and samples differ in number.
 [[nodiscard]] std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
-                                              SampleDistance distance = SampleDistance::euclidean,
                                               const Executor& executor = {});
 
 /// Their mean, over a seeded sample where there are many. 0 without samples.
@@ -66,7 +60,8 @@ struct ChosenClustering {
 /// score stays below the threshold. Above silhouette.max_samples nodes the choice is made on a
 /// seeded sample of so many. Fewer pairs or nodes than min_clusters: one cluster, score 0.
 /// Cost: O(samples^2 * (max_clusters + numbers tried)), for 4,000 samples and 2 to 30 clusters some
-/// 10^9 steps, and k-means of the samples for each number.
+/// 10^9 steps (scaled rows: O(samples^2 * max_clusters^2)), and k-means of the samples for each
+/// number.
 [[nodiscard]] ChosenClustering choose_num_clusters(const Eigenpairs& pairs,
                                                    const ChooseOptions& options = {},
                                                    const Executor& executor = {});

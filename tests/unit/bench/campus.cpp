@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/map/components.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/map/reference_tree.hpp"
 
@@ -46,9 +46,9 @@ TEST(Campus, BuildingsLieApart) {
 TEST(Campus, SegmentsAsBuildingsOnOpenGround) {
     const GridMap map = campus_of(80);
     EXPECT_EQ(map.states.values, campus_of(80).states.values);
-    const FreeComponents free = find_free_components(map.states);
+    const ConnectedParts free = free_parts(map.states);
     // The ground, two buildings, and shafts that nobody can enter.
-    EXPECT_GE(free.components.size(), 3U);
+    EXPECT_GE(free.count, 3U);
     const Raster<std::uint8_t> kept = inside(map, {}, 1.0);
     EXPECT_EQ(map.states.at({0, 0}), CellState::free);
     EXPECT_EQ(kept.at({0, 0}), 0);

@@ -32,13 +32,13 @@ std::string all_of(const Follower& follower) {
     std::string labels;
     for (const std::uint16_t label : rooms.labels.values) labels += static_cast<char>(label);
     text += std::to_string(io::hash_bytes(labels));
-    for (const auto& [id, room] : follower.followed()) {
+    for (const auto& [id, room] : follower.state().rooms) {
         text += "\n" + std::to_string(id) + " " + room.name + " " +
                 std::to_string(room.merge_group) + (room.is_locked ? " locked " : " ") +
                 std::to_string(room.num_cells);
     }
     std::set<std::int32_t> lines;
-    for (const SplitLine& line : follower.split_lines()) lines.insert(line.from.x);
+    for (const SplitLine& line : follower.state().split_lines) lines.insert(line.from.x);
     for (const std::int32_t x : lines) text += "\nline at " + std::to_string(x);
     return text;
 }
@@ -49,22 +49,22 @@ TEST(EditInverse, TakesEachEditBackAndMakesItAgain) {
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
     const std::vector<std::function<Edited()>> edits{
-        [&] { return follower.rename(left, "Kitchen"); },
+        [&] { return follower.edit(test::rename(left, "Kitchen")); },
         [&] {
-            return follower.split({9.0, 1.0}, {9.0, 5.0});
+            return follower.edit(test::split({9.0, 1.0}, {9.0, 5.0}));
         },
-        [&] { return follower.rename(left, "Bath"); },
-        [&] { return follower.merge(left, right); },
+        [&] { return follower.edit(test::rename(left, "Bath")); },
+        [&] { return follower.edit(test::merge(left, right)); },
         [&] {
-            return follower.split({3.0, 1.0}, {3.0, 5.0});
+            return follower.edit(test::split({3.0, 1.0}, {3.0, 5.0}));
         },
         [&] {
-            return follower.merge(left, follower.room_at({11.0, 3.0}));
+            return follower.edit(test::merge(left, follower.room_at({11.0, 3.0})));
         },
-        [&] { return follower.lock(left); },
-        [&] { return follower.unlock(left); }};
+        [&] { return follower.edit(test::lock(left)); },
+        [&] { return follower.edit(test::unlock(left)); }};
     std::vector<std::string> states{all_of(follower)};
-    std::vector<Edit> inverses;
+    std::vector<Reversal> inverses;
     for (const auto& edit : edits) {
         inverses.push_back(edit().inverse);
         states.push_back(all_of(follower));
@@ -86,8 +86,8 @@ TEST(EditInverse, FloorSeenSinceAMergeGoesToTheRoomThatItTouches) {
     follower.update_cells(test::hall_with_wall());
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
-    follower.rename(right, "Store");
-    const Edited merged = follower.merge(left, right);
+    follower.edit(test::rename(right, "Store"));
+    const Edited merged = follower.edit(test::merge(left, right));
     // On the right the wall gives way to more floor.
     follower.update_cells(Raster<CellState>({250, 10}, 40, 100, CellState::free));
     ASSERT_EQ(follower.room_at({14.0, 3.0}), left);
@@ -96,7 +96,7 @@ TEST(EditInverse, FloorSeenSinceAMergeGoesToTheRoomThatItTouches) {
     EXPECT_EQ(follower.room_at({2.0, 3.0}), left);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), right);
     EXPECT_EQ(follower.room_at({14.0, 3.0}), right);
-    EXPECT_EQ(follower.followed().at(static_cast<std::uint32_t>(right)).name, "Store");
+    EXPECT_EQ(follower.state().rooms.at(static_cast<std::uint32_t>(right)).name, "Store");
     // They stay apart: nobody says any more that they are one.
     set_door(follower, CellState::occupied);
     set_door(follower, CellState::free);
@@ -109,7 +109,7 @@ TEST(EditInverse, WhatCameApartByItselfGetsItsOldIdBack) {
     follower.update_cells(test::hall_with_wall());
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
-    const Edited merged = follower.merge(right, left);
+    const Edited merged = follower.edit(test::merge(right, left));
     set_door(follower, CellState::occupied);
     ASSERT_EQ(follower.num_rooms(), 2U);
     ASSERT_NE(follower.room_at({2.0, 3.0}), left);
@@ -124,8 +124,8 @@ TEST(EditInverse, IsRefusedWhereItsRoomsHaveGone) {
     follower.update_cells(test::hall_with_wall());
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
-    const Edited renamed = follower.rename(left, "Kitchen");
-    const Edited merged = follower.merge(right, left);
+    const Edited renamed = follower.edit(test::rename(left, "Kitchen"));
+    const Edited merged = follower.edit(test::merge(right, left));
     follower.update_cells(Raster<CellState>({10, 10}, 94, 100, CellState::occupied));
     ASSERT_EQ(follower.num_rooms(), 1U);
     const std::string before = all_of(follower);
@@ -139,11 +139,11 @@ TEST(EditInverse, OfASplitTakesItsLineBackWhereverItsRoomsEnd) {
     Follower follower;
     follower.update_cells(test::bare_hall());
     const RoomId hall = follower.room_at({9.0, 3.0});
-    const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
+    const Edited split = follower.edit(test::split({4.0, 1.0}, {4.0, 5.0}));
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     ASSERT_EQ(follower.num_rooms(), 2U);
     follower.apply(split.inverse);
-    EXPECT_TRUE(follower.split_lines().empty());
+    EXPECT_TRUE(follower.state().split_lines.empty());
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::free));
     EXPECT_EQ(follower.num_rooms(), 1U);
     EXPECT_EQ(follower.room_at({2.0, 3.0}), hall);
@@ -153,20 +153,20 @@ TEST(EditInverse, WhatWasSeenInALockedRoomCountsOnceItIsUnlocked) {
     Follower follower;
     follower.update_cells(test::hall_with_wall());
     const RoomId left = follower.room_at({2.0, 3.0});
-    follower.lock(left);
+    follower.edit(test::lock(left));
     follower.update_cells(Raster<CellState>({40, 40}, 20, 20, CellState::occupied));
     const auto number = static_cast<std::uint32_t>(left);
-    const std::size_t cells = follower.followed().at(number).num_cells;
-    const Edited unlocked = follower.unlock(left);
-    EXPECT_EQ(follower.followed().at(number).num_cells, cells - 400U);
+    const std::size_t cells = follower.state().rooms.at(number).num_cells;
+    const Edited unlocked = follower.edit(test::unlock(left));
+    EXPECT_EQ(follower.state().rooms.at(number).num_cells, cells - 400U);
     const Segmentation rooms = follower.rooms();
     const Raster<CellState> states = follower.map().to_grid().states;
     for (std::size_t i = 0; i < states.values.size(); ++i) {
         ASSERT_TRUE(rooms.labels.values[i] == 0 || states.values[i] == CellState::free);
     }
     follower.apply(unlocked.inverse);
-    EXPECT_TRUE(follower.followed().at(number).is_locked);
-    EXPECT_THAT(error_of([&] { follower.lock(left); }), HasSubstr("locked already"));
+    EXPECT_TRUE(follower.state().rooms.at(number).is_locked);
+    EXPECT_THAT(error_of([&] { follower.edit(test::lock(left)); }), HasSubstr("locked already"));
 }
 
 TEST(EditInverse, RoomsOfAGroupAreOneWithItAgain) {
@@ -175,7 +175,7 @@ TEST(EditInverse, RoomsOfAGroupAreOneWithItAgain) {
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
     const std::string before = all_of(follower);
-    const Edited merged = follower.merge(left, right);
+    const Edited merged = follower.edit(test::merge(left, right));
     const Edited undone = follower.apply(merged.inverse);
     EXPECT_EQ(all_of(follower), before);
     follower.apply(undone.inverse);
@@ -189,16 +189,16 @@ TEST(EditInverse, OfAnotherMapIsRefused) {
     Follower follower;
     follower.update_cells(test::hall_with_wall());
     const RoomId left = follower.room_at({2.0, 3.0});
-    Edit edit;
+    Reversal edit;
     edit.room = left;
-    edit.border = Edit::Border::part;
+    edit.border = Reversal::Border::part;
     for (const std::uint32_t other : {0U, 1U, 2U, 3U, 4711U}) {
         edit.other = RoomId{other};
         EXPECT_NE(error_of([&] { follower.apply(edit); }), "no error") << other;
     }
     edit.cells[{1 << 25, -(1 << 25)}] = ~std::uint64_t{0};
     EXPECT_NE(error_of([&] { follower.apply(edit); }), "no error");
-    edit.border = Edit::Border::join;
+    edit.border = Reversal::Border::join;
     for (const std::uint32_t other : {0U, static_cast<std::uint32_t>(left), 4711U}) {
         edit.other = RoomId{other};
         EXPECT_NE(error_of([&] { follower.apply(edit); }), "no error") << other;

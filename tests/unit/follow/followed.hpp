@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "quadcut/follow/edit.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/map/scan.hpp"
 #include "quadcut/segment/result.hpp"
 #include "sim/building.hpp"
@@ -53,5 +56,15 @@ inline Raster<CellState> hall_with_wall() {
     }
     return states;
 }
+
+inline Edit rename(RoomId room, const std::string& name) {
+    return {EditKind::rename, room, {}, name, {}, {}};
+}
+inline Edit merge(RoomId room, RoomId other) { return {EditKind::merge, room, other, {}, {}, {}}; }
+inline Edit split(const Point& from, const Point& to) {
+    return {EditKind::split, {}, {}, {}, from, to};
+}
+inline Edit lock(RoomId room) { return {EditKind::lock, room, {}, {}, {}, {}}; }
+inline Edit unlock(RoomId room) { return {EditKind::unlock, room, {}, {}, {}, {}}; }
 
 }  // namespace quadcut::test

@@ -13,6 +13,8 @@
 #include "eval/score.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "tests/unit/follow/followed.hpp"
 
@@ -47,7 +49,7 @@ TEST(Follower, EndsWithTheRoomsOfItsMap) {
     }
     follower.finish();
     const Segmentation followed = follower.rooms();
-    const Segmentation batch = segment(follower.map().to_grid(), {}, trajectory);
+    const Segmentation batch = segment(follower.map().to_grid(), {}, {}, trajectory);
     const eval::RoomScore score =
         eval::score_rooms(image_of(followed.labels), image_of(batch.labels));
     EXPECT_GT(score.pq, 0.95);
@@ -118,7 +120,7 @@ TEST(Follower, RefinesWhileThereIsTimeAndThenIsDone) {
     EXPECT_LT(num_slices, 100U);
     follower.finish();
     const Segmentation refined = follower.rooms();
-    const Segmentation batch = segment(follower.map().to_grid(), {}, {});
+    const Segmentation batch = segment(follower.map().to_grid());
     EXPECT_GT(eval::score_rooms(image_of(refined.labels), image_of(batch.labels)).pq, 0.95);
     for (std::size_t i = scans.size() / 2; i < scans.size(); ++i) follower.add_scan(scans[i]);
 }

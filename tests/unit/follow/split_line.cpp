@@ -45,7 +45,7 @@ void split_as_offered(Follower& follower, const std::string& error) {
                           &from.x, &from.y, &to.x, &to.y),
               4);
     const std::size_t before = follower.num_rooms();
-    EXPECT_EQ(error_of([&] { follower.split(from, to); }), "no error");
+    EXPECT_EQ(error_of([&] { follower.edit(test::split(from, to)); }), "no error");
     EXPECT_EQ(follower.num_rooms(), before + 1);
 }
 
@@ -54,10 +54,10 @@ TEST(SplitLine, AlongAWallCutsWhereTheWallEnds) {
         Follower follower(one_room());
         follower.update_cells(hall_with_stub(height_m));
         ASSERT_EQ(follower.num_rooms(), 1U) << height_m;
-        follower.split({5.05, 0.6}, {5.05, 5.4});
+        follower.edit(test::split({5.05, 0.6}, {5.05, 5.4}));
         EXPECT_EQ(follower.num_rooms(), 2U) << height_m;
         EXPECT_NE(follower.room_at({4.0, 1.0}), follower.room_at({6.0, 1.0}));
-        const SplitLine line = follower.split_lines().front();
+        const SplitLine line = follower.state().split_lines.front();
         EXPECT_NEAR(std::min(line.from.y, line.to.y), 10 + height_m / 0.05, 5.0);
     }
 }
@@ -70,7 +70,7 @@ TEST(SplitLine, MayCrossAPillar) {
     }
     follower.update_cells(states);
     ASSERT_EQ(follower.num_rooms(), 1U);
-    follower.split({5.1, 0.7}, {5.1, 5.3});
+    follower.edit(test::split({5.1, 0.7}, {5.1, 5.3}));
     EXPECT_EQ(follower.num_rooms(), 2U);
     EXPECT_NE(follower.room_at({4.0, 3.0}), follower.room_at({6.5, 3.0}));
 }
@@ -82,13 +82,13 @@ TEST(SplitLine, AcrossTheWallOfARoomCutsTheRoomWhereMostOfItLies) {
     const RoomId left = follower.room_at({2.0, 3.0});
     const RoomId right = follower.room_at({9.0, 3.0});
     // From wall to wall in the left room, on through the wall into the right one.
-    follower.split({0.6, 4.0}, {5.9, 4.0});
+    follower.edit(test::split({0.6, 4.0}, {5.9, 4.0}));
     EXPECT_EQ(follower.num_rooms(), 3U);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), right);
     EXPECT_NE(follower.room_at({2.0, 5.0}), follower.room_at({2.0, 2.0}));
     EXPECT_TRUE(follower.room_at({2.0, 5.0}) == left || follower.room_at({2.0, 2.0}) == left);
     // The line ends at that wall.
-    EXPECT_LE(follower.split_lines().front().to.x, 108);
+    EXPECT_LE(follower.state().split_lines.front().to.x, 108);
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     EXPECT_EQ(follower.num_rooms(), 3U);
 }
@@ -96,7 +96,9 @@ TEST(SplitLine, AcrossTheWallOfARoomCutsTheRoomWhereMostOfItLies) {
 TEST(SplitLine, WhollyInAWallIsRefusedWithACutThatCanBeMade) {
     Follower follower(one_room());
     follower.update_cells(hall_with_stub(3.0));
-    const std::string in_stub = error_of([&] { follower.split({5.05, 0.8}, {5.05, 2.0}); });
+    const std::string in_stub = error_of([&] {
+        follower.edit(test::split({5.05, 0.8}, {5.05, 2.0}));
+    });
     split_as_offered(follower, in_stub);
 }
 
@@ -116,7 +118,9 @@ TEST(SplitLine, WhatIsOfferedCanBeMadeAtAnyResolution) {
         }
         follower.update_cells(states);
         ASSERT_EQ(follower.num_rooms(), 1U);
-        const std::string error = error_of([&] { follower.split({3.0, 2.0}, {3.9, 2.9}); });
+        const std::string error = error_of([&] {
+            follower.edit(test::split({3.0, 2.0}, {3.9, 2.9}));
+        });
         EXPECT_THAT(error, HasSubstr("before a wall"));
         split_as_offered(follower, error);
     }
@@ -125,8 +129,14 @@ TEST(SplitLine, WhatIsOfferedCanBeMadeAtAnyResolution) {
 TEST(SplitLine, MayEndAtTheEdgeOfWhatCanBe) {
     Follower follower(one_room());
     follower.update_cells(test::bare_hall());
-    EXPECT_THAT(error_of([&] { follower.split({-1e5, 3.0}, {1e5, 3.0}); }), HasSubstr("no error"));
-    EXPECT_NE(error_of([&] { follower.split({-1e300, 3.0}, {1e300, 3.0}); }), "no error");
+    EXPECT_THAT(error_of([&] {
+                    follower.edit(test::split({-1e5, 3.0}, {1e5, 3.0}));
+                }),
+                HasSubstr("no error"));
+    EXPECT_NE(error_of([&] {
+                  follower.edit(test::split({-1e300, 3.0}, {1e300, 3.0}));
+              }),
+              "no error");
 }
 
 }  // namespace

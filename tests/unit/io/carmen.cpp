@@ -256,7 +256,7 @@ TEST(Carmen, AnEndlessLineIsSkipped) {
 TEST(Carmen, ReadsOneScanAtATime) {
     const std::string text =
         flaser("1 0 0") + "junk\n" + flaser("2 0 0") + "RLASER 4 1 1 1 1 2 0 0 0 0 0 1 host 1\n";
-    CarmenReader reader(text, "x.log");
+    CarmenReader reader([&text] { return pieces_of(text); }, "x.log");
     ASSERT_TRUE(reader.next().has_value());
     EXPECT_EQ(reader.counts().lines, 1U);
     EXPECT_EQ(reader.last_laser(), 0U);

@@ -2,15 +2,12 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/file.hpp"
 
-#include <algorithm>
-#include <csignal>
-#include <fstream>
-#include <thread>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
+#include "io/input.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace quadcut::io {
@@ -78,61 +75,6 @@ TEST(File, RefusesDevicesBeforeTheyAreRead) {
 
 TEST(File, ReadsFilesThatStateNoSize) {
     EXPECT_NE(read_file("/proc/self/status").find("Pid:"), std::string::npos);
-}
-
-/// A named pipe, and a thread that writes to it.
-class Pipe {
-public:
-    Pipe(const ScratchFolder& folder, const std::string& bytes) : path_(folder.path() / "pipe") {
-        EXPECT_EQ(::mkfifo(path_.c_str(), 0600), 0);
-        writer_ = std::jthread([this, bytes] {
-            std::signal(SIGPIPE, SIG_IGN);
-            std::ofstream(path_, std::ios::binary) << bytes;
-        });
-    }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-    std::jthread writer_;
-};
-
-TEST(File, ReadsPipes) {
-    const ScratchFolder folder;
-    const std::string bytes(300'001, 'x');
-    const Pipe pipe(folder, bytes);
-    const InputFile file = read_input(pipe.path());
-    EXPECT_EQ(file.bytes, bytes);
-    EXPECT_EQ(file.name, pipe.path().string());
-    EXPECT_EQ(file.folder, folder.path());
-}
-
-TEST(File, ChecksTheBeginningBeforeMoreIsRead) {
-    const ScratchFolder folder;
-    const Pipe pipe(folder, std::string(std::size_t{1} << 24U, 'x'));
-    std::vector<std::size_t> seen;
-    EXPECT_EQ(error_of([&] {
-                  (void)read_input(pipe.path(), [&](const InputFile& beginning) {
-                      seen.push_back(beginning.bytes.size());
-                      throw InputError(beginning.name + ": no");
-                  });
-              }),
-              pipe.path().string() + ": no");
-    EXPECT_EQ(seen, std::vector<std::size_t>{kBeginningBytes});
-}
-
-TEST(File, ChecksAllOfAShortFile) {
-    const ScratchFolder folder;
-    for (const std::size_t size : {std::size_t{0}, std::size_t{5}, kBeginningBytes - 1,
-                                   kBeginningBytes, kBeginningBytes + 1}) {
-        const std::string bytes(size, 'a');
-        std::size_t seen = kBeginningBytes + 1;
-        const InputFile file =
-            read_input(folder.write("a", bytes),
-                       [&](const InputFile& beginning) { seen = beginning.bytes.size(); });
-        EXPECT_EQ(seen, std::min(size, kBeginningBytes));
-        EXPECT_EQ(file.bytes, bytes);
-    }
 }
 
 TEST(File, HashesAsFnv1a) {

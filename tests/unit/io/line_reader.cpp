@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "io/line_reader.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,25 @@ TEST(LineReader, LinesSpanPiecesOfTheUnpackedBytes) {
 TEST(LineReader, ReadsJoinedGzipFilesAndIgnoresPadding) {
     EXPECT_EQ(lines_of(gzip("a\nb") + gzip("c\nd\n")), (Lines{"a", "bc", "d"}));
     EXPECT_EQ(lines_of(gzip("a\n") + std::string(512, '\0')), Lines{"a"});
+}
+
+TEST(LineReader, ItDoesNotMatterHowTheBytesAreCut) {
+    const std::string text = "a\r\n\nbcdefg\nhij";
+    for (const std::string& bytes : {text, gzip(text), gzip("a\n\nbcd") + gzip("efg\nhij"),
+                                     gzip(text) + std::string(9, '\0'), gzip(text) + "\x1f"}) {
+        for (std::size_t size = 2; size < bytes.size(); ++size) {
+            // A piece lies where the one before it was.
+            const auto pieces = [&, at = std::size_t{0}, piece = std::string()]() mutable {
+                piece = bytes.substr(std::min(at, bytes.size()), size);
+                at += size;
+                return std::string_view(piece);
+            };
+            LineReader reader(pieces, "x.log");
+            Lines lines;
+            while (const auto line = reader.next()) lines.emplace_back(line->text);
+            EXPECT_EQ(lines, (Lines{"a", "", "bcdefg", "hij"})) << size;
+        }
+    }
 }
 
 TEST(LineReader, RefusesDamagedGzip) {

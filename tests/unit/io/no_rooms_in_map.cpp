@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 
 namespace quadcut::io {

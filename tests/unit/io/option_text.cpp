@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/error.hpp"
-#include "quadcut/segment/options.hpp"
+#include "quadcut/base/run_options.hpp"
+#include "quadcut/follow/options.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -121,16 +122,16 @@ TEST(OptionField, UnknownNameNamesTheNearest) {
     EXPECT_EQ(far.find("did you mean"), std::string::npos);
 }
 
-TEST(SegmentOptionFields, DefaultsAreAllowedValues) {
-    SegmentOptions options;
+TEST(OptionFields, DefaultsAreAllowedValues) {
+    FollowOptions options;
     const std::vector<OptionField> fields = option_fields(options);
     for (const OptionField& field : fields) {
         EXPECT_NO_THROW(set_option(fields, field.name, option_text(field))) << field.name;
     }
 }
 
-TEST(SegmentOptionFields, NamesAreDifferentAndDocumented) {
-    SegmentOptions options;
+TEST(OptionFields, NamesAreDifferentAndDocumented) {
+    FollowOptions options;
     std::set<std::string_view> names;
     for (const OptionField& field : option_fields(options)) {
         EXPECT_TRUE(names.insert(field.name).second) << field.name;
@@ -141,21 +142,27 @@ TEST(SegmentOptionFields, NamesAreDifferentAndDocumented) {
     }
 }
 
-TEST(SegmentOptionFields, AreBoundToTheirOptions) {
-    SegmentOptions options;
-    const std::vector<OptionField> fields = option_fields(options);
+TEST(OptionFields, AreBoundToTheirOptions) {
+    FollowOptions follow;
+    RunOptions run;
+    const SegmentOptions& options = follow.segment;
+    const std::vector<OptionField> fields = option_fields(follow, run);
     set_option(fields, "preset", "paper");
     set_option(fields, "submaps", "7");
     set_option(fields, "door_width", "1.25");
     set_option(fields, "granularity", "0.75");
     set_option(fields, "threads", "3");
     set_option(fields, "paper.laplacian", "area");
+    set_option(fields, "scan.miss", "-3");
+    set_option(fields, "follow.min_change", "0.5");
     EXPECT_EQ(options.preset, Preset::paper);
     EXPECT_EQ(options.paper.num_submaps, 7U);
     EXPECT_EQ(options.rooms.door_width_m, 1.25);
     EXPECT_EQ(options.rooms.granularity, 0.75);
-    EXPECT_EQ(options.num_threads, 3U);
+    EXPECT_EQ(run.num_threads, 3U);
     EXPECT_EQ(options.paper.laplacian, LaplacianKind::area);
+    EXPECT_EQ(follow.integrate.miss, -3);
+    EXPECT_EQ(follow.min_change_m2, 0.5);
 }
 
 }  // namespace

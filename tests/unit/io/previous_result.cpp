@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/image.hpp"
 #include "quadcut/base/error.hpp"
 #include "tests/unit/io/floor_drawing.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/results.hpp"
+#include "formats/registry.hpp"
 #include "io/room_text.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 #include "tests/unit/io/scratch.hpp"

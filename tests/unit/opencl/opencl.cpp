@@ -14,7 +14,8 @@
 #include "opencl/accelerator.hpp"
 #include "opencl/trial.hpp"
 #include "quadcut/base/random.hpp"
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
+#include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "sim/building.hpp"
@@ -234,8 +235,7 @@ TEST_F(OpenClDevice, RoomsAreThoseOfTheCpu) {
     options.preset = Preset::paper;
     options.paper.num_submaps = 6;
     const Segmentation expected = segment(map, options);
-    options.accelerator = &device;
-    const Segmentation found = segment(map, options);
+    const Segmentation found = segment(map, options, RunOptions{2, &device});
     EXPECT_EQ(found.labels.values, expected.labels.values);
     EXPECT_EQ(found.report.eigen.at(0).eigenvalues, expected.report.eigen.at(0).eigenvalues);
     EXPECT_GT(device.traffic().bytes_up, 0U);

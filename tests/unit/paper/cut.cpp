@@ -11,10 +11,18 @@
 
 #include "quadcut/base/random.hpp"
 #include "quadcut/paper/submaps.hpp"
-#include "quadcut/rooms/over_cut.hpp"
 
 namespace quadcut {
 namespace {
+
+/// Submaps of up to 400 m^2.
+const PaperOptions kLimits = [] {
+    PaperOptions options;
+    options.max_submap_m2 = 400.0;
+    options.max_route_edges = 60;
+    options.min_relation_per_m = 1.0;
+    return options;
+}();
 
 /// A grid of width x height nodes of 1 m^2 for each room, rooms in a row; neighbouring rooms are
 /// joined by one edge of weight `door` (none if 0).
@@ -72,9 +80,9 @@ void expect_rooms(const Pieces& pieces, std::uint32_t num_rooms) {
 TEST(Cut, FindsRoomsBehindDoors) {
     const Graph graph = rooms_in_a_row(4, 6, 6, 0.2);
     StageClock clock;
-    CutOptions options;
-    options.num_pieces = 4;
-    const Pieces pieces = cut(graph, options, clock);
+    PaperOptions options;
+    options.num_submaps = 4;
+    const Pieces pieces = cut(graph, options, 1, clock);
     expect_partition(graph, pieces);
     expect_rooms(pieces, 4);
     ASSERT_EQ(pieces.eigen.size(), 1U);
@@ -84,63 +92,22 @@ TEST(Cut, FindsRoomsBehindDoors) {
 TEST(Cut, TheSilhouetteFindsTheNumberOfRooms) {
     const Graph graph = rooms_in_a_row(5, 6, 6, 0.05);
     StageClock clock;
-    CutOptions options;
-    options.max_pieces = 10;
-    expect_rooms(cut(graph, options, clock), 5);
+    PaperOptions options;
+    options.max_submaps = 10;
+    expect_rooms(cut(graph, options, 1, clock), 5);
 }
 
 TEST(Cut, EightDisconnectedEqualRoomsAreEight) {
     const Graph graph = rooms_in_a_row(8, 5, 5, 0.0);
     StageClock clock;
-    CutOptions options;
-    options.num_pieces = 8;
-    expect_rooms(cut(graph, options, clock), 8);
+    PaperOptions options;
+    options.num_submaps = 8;
+    expect_rooms(cut(graph, options, 1, clock), 8);
 }
 
 TEST(Cut, ARegionWithoutNodesHasNoPieces) {
     StageClock clock;
-    EXPECT_EQ(cut(Graph{}, {}, clock).count, 0U);
-    EXPECT_EQ(over_cut(Graph{}, {}, clock).count, 0U);
-}
-
-TEST(OverCut, SeparatesEveryRoom) {
-    const Graph graph = rooms_in_a_row(9, 6, 6, 0.1);
-    StageClock clock;
-    const Pieces pieces = over_cut(graph, {}, clock);
-    expect_partition(graph, pieces);
-    EXPECT_GE(pieces.count, 9U);
-    // No piece holds nodes of two rooms.
-    std::vector<std::set<std::uint32_t>> rooms(pieces.count);
-    for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
-        rooms[pieces.piece_of_node[node]].insert(node / 36);
-    }
-    for (const auto& room : rooms) EXPECT_EQ(room.size(), 1U);
-}
-
-TEST(OverCut, RecursionCutsAsFineAsOneSolve) {
-    const Graph graph = rooms_in_a_row(20, 6, 6, 0.1);
-    StageClock clock;
-    OverCutOptions options;
-    const Pieces whole = over_cut(graph, options, clock);
-    options.max_pairs = 4;
-    const Pieces recursive = over_cut(graph, options, clock);
-    expect_partition(graph, recursive);
-    EXPECT_GE(recursive.count, 20U);
-    EXPECT_GT(recursive.eigen.size(), whole.eigen.size());
-    for (const EigenReport& report : recursive.eigen) EXPECT_LE(report.eigenvalues.size(), 4U);
-}
-
-TEST(OverCut, ALargeRegionIsNeverSolvedAsAWhole) {
-    const std::uint32_t num_rooms = 20;
-    const Graph graph = rooms_in_a_row(num_rooms, 60, 60, 0.2);
-    OverCutOptions options;
-    options.max_eigenvalue_per_m2 = 0.002;
-    StageClock clock;
-    const Pieces pieces = over_cut(graph, options, clock);
-    expect_partition(graph, pieces);
-    for (const EigenReport& report : pieces.eigen) EXPECT_LE(report.num_nodes, 65536U);
-    // Below the limit a room has one eigenvalue: the pieces are the rooms.
-    expect_rooms(pieces, num_rooms);
+    EXPECT_EQ(cut(Graph{}, {}, 1, clock).count, 0U);
 }
 
 TEST(Submaps, LongestRouteOfAPathAndAGrid) {
@@ -155,16 +122,16 @@ TEST(Submaps, LongSubmapsAreDivided) {
     Pieces one;
     one.piece_of_node.assign(corridor.num_nodes(), 0);
     one.count = 1;
-    SubmapLimits limits;
+    PaperOptions limits = kLimits;
     limits.max_route_edges = 20;
     StageClock clock;
-    const Pieces divided = divide_submaps(corridor, one, limits, {}, clock);
+    const Pieces divided = divide_submaps(corridor, one, limits, 1, clock);
     expect_partition(corridor, divided);
     EXPECT_EQ(divided.count, 4U);
     limits.max_route_edges = 1000;
-    EXPECT_EQ(divide_submaps(corridor, one, limits, {}, clock).count, 1U);
-    limits.max_area_m2 = 70.0;
-    EXPECT_EQ(divide_submaps(corridor, one, limits, {}, clock).count, 2U) << "128 m^2";
+    EXPECT_EQ(divide_submaps(corridor, one, limits, 1, clock).count, 1U);
+    limits.max_submap_m2 = 70.0;
+    EXPECT_EQ(divide_submaps(corridor, one, limits, 1, clock).count, 2U) << "128 m^2";
 }
 
 /// Three rooms of 36 m^2 and, at the wall of the first, a chain of twenty nodes of 0.01 m^2 that
@@ -193,11 +160,11 @@ Graph three_rooms_and_a_sliver() {
 TEST(Submaps, ASliverDoesNotTakeTheNumberOfARoom) {
     const Graph graph = three_rooms_and_a_sliver();
     StageClock clock;
-    CutOptions options;
-    options.num_pieces = 3;
-    const Pieces plain = cut(graph, options, clock);
+    PaperOptions options;
+    options.num_submaps = 3;
+    const Pieces plain = cut(graph, options, 1, clock);
     EXPECT_NE(plain.piece_of_node[0], plain.piece_of_node[108]) << "the sliver is a piece";
-    const Pieces rooms = cut_into(graph, 3, SubmapLimits{}, {}, clock);
+    const Pieces rooms = cut_into(graph, 3, kLimits, 1, clock);
     expect_partition(graph, rooms);
     ASSERT_EQ(rooms.count, 3U);
     for (std::uint32_t node = 0; node < 108; ++node) {
@@ -217,8 +184,8 @@ struct ThreeSubmaps {
 TEST(Submaps, FuseByTheRelativeCoefficient) {
     // Eq. (11): r(0, 1) = 3 / 8, r(1, 2) = 1 / 6.
     const ThreeSubmaps three;
-    SubmapLimits limits;
-    limits.min_area_m2 = 0.0;
+    PaperOptions limits = kLimits;
+    limits.min_submap_m2 = 0.0;
     limits.min_relation_per_m = 0.3;
     EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).piece_of_node,
               (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1}));
@@ -233,9 +200,9 @@ TEST(Submaps, FuseByTheRelativeCoefficient) {
 
 TEST(Submaps, SmallOnesAreFusedWhateverTheirRelation) {
     const ThreeSubmaps three;
-    SubmapLimits limits;
+    PaperOptions limits = kLimits;
     limits.min_relation_per_m = 100.0;
-    limits.min_area_m2 = 3.0;
+    limits.min_submap_m2 = 3.0;
     EXPECT_EQ(fuse_submaps(three.graph, three.pieces, limits).piece_of_node,
               (std::vector<std::uint32_t>{0, 0, 1, 1, 1, 1}));
 }

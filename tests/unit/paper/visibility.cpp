@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadcut/map/free_leaves.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "tests/unit/paper/small_map.hpp"
 #include "tests/unit/spectral/fake_accelerator.hpp"
 

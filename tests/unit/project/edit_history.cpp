@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "project/edit_history.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@
 
 #include "io/file.hpp"
 #include "project/project.hpp"
+#include "project/project_file.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 using io::test::error_of;
@@ -21,74 +23,69 @@ using io::test::ScratchFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-LogPosition some_log() {
-    LogPosition position;
-    position.log = "robot.log";
-    return position;
-}
-
 /// A project of two rooms: 1 on the left, 2 on the right.
 std::filesystem::path two_rooms(const ScratchFolder& folder) {
     const auto path = folder.path() / "p.quadcut";
-    Project project = Project::create(path, {}, some_log());
-    Follower follower = project.follower();
-    follower.update_cells(test::hall_with_wall());
-    project.save(follower, some_log());
+    Project project = Project::create(path, {});
+    project.add(test::hall_with_wall());
+    project.save();
     return path;
 }
 
 /// Opens the project anew, does something with it, and saves.
 template <typename Action>
 void with_project(const std::filesystem::path& path, const Action& action) {
-    Project project(path, Access::write);
-    Follower follower = project.follower();
-    action(project, follower);
-    project.save(follower, project.position());
+    Project project = Project::open(path, Access::write);
+    action(project);
+    project.save();
 }
 
 void rename(const std::filesystem::path& path, std::uint32_t room, const std::string& name) {
-    with_project(path, [&](Project& project, Follower& follower) {
-        const Edited edited = follower.rename(RoomId{room}, name);
-        project.add({"rename", RoomId{room}, {}, name, {}, follower.num_scans()}, edited);
-    });
+    with_project(path, [&](Project& project) { project.edit(test::rename(RoomId{room}, name)); });
 }
 
 void merge(const std::filesystem::path& path) {
-    with_project(path, [&](Project& project, Follower& follower) {
-        project.add({"merge", RoomId{1}, RoomId{2}, "", {}}, follower.merge(RoomId{1}, RoomId{2}));
-    });
+    with_project(path, [](Project& project) { project.edit(test::merge(RoomId{1}, RoomId{2})); });
 }
 
 void undo(const std::filesystem::path& path) {
-    with_project(path, [](Project& project, Follower& follower) { project.undo(follower); });
+    with_project(path, [](Project& project) { project.undo(); });
 }
 
 void redo(const std::filesystem::path& path) {
-    with_project(path, [](Project& project, Follower& follower) { project.redo(follower); });
+    with_project(path, [](Project& project) { project.redo(); });
+}
+
+std::shared_ptr<const Snapshot> building(const std::filesystem::path& path) {
+    return Project::open(path, Access::read).snapshot();
 }
 
 std::vector<EditState> states(const std::filesystem::path& path) {
     std::vector<EditState> states;
-    for (const EditRecord& edit : Project(path, Access::read).edits()) states.push_back(edit.state);
+    for (const EditRecord& record : Project::open(path, Access::read).history()) {
+        states.push_back(record.state);
+    }
     return states;
 }
 
 std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
-    return Project(path, Access::read).follower().followed().at(room).name;
+    return building(path)->followed().at(room).name;
+}
+
+std::string integrity(const std::filesystem::path& path) {
+    return ProjectFile(path, Access::read).integrity();
 }
 
 TEST(EditHistory, UndoAndRedoSurviveARestart) {
     const ScratchFolder folder;
     const auto path = two_rooms(folder);
-    const auto labels = [&] {
-        return Project(path, Access::read).follower().rooms().labels.values;
-    };
+    const auto labels = [&] { return building(path)->rooms().labels.values; };
     const auto before = labels();
     rename(path, 2, "Store");
     rename(path, 1, "Kitchen");
     merge(path);
     const auto after = labels();
-    EXPECT_EQ(Project(path, Access::read).follower().num_rooms(), 1U);
+    EXPECT_EQ(building(path)->num_rooms(), 1U);
     undo(path);
     EXPECT_EQ(labels(), before);
     EXPECT_EQ(name_of(path, 2), "Store");
@@ -130,13 +127,13 @@ TEST(EditHistory, WhatCannotBeUndoneIsSaidAndNothingChanges) {
     const ScratchFolder folder;
     const auto path = two_rooms(folder);
     merge(path);
-    with_project(path, [](Project&, Follower& follower) {
-        follower.update_cells(Raster<CellState>({100, 10}, 150, 100, CellState::occupied));
+    with_project(path, [](Project& project) {
+        project.add(Raster<CellState>({100, 10}, 150, 100, CellState::occupied));
     });
     EXPECT_THAT(error_of([&] { undo(path); }),
                 HasSubstr("edit 1 cannot be undone after what was seen since: the floor of one"));
     EXPECT_THAT(states(path), ElementsAre(EditState::done));
-    EXPECT_EQ(Project(path, Access::read).integrity(), "ok");
+    EXPECT_EQ(integrity(path), "ok");
 }
 
 /// A file as version 1 wrote it, with an edit.
@@ -150,6 +147,12 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
         "INSERT INTO edits(scan, kind, room, other, name, from_x, from_y, to_x, to_y) "
         "VALUES(0, 'rename', 1, 0, 'Kitchen', 0, 0, 0, 0)");
     database.run("UPDATE rooms SET name = 'Kitchen' WHERE id = 1");
+    database.run(
+        "DELETE FROM options WHERE name LIKE 'follow.%' OR name LIKE 'scan.%' OR name = "
+        "'resolution'");
+    database.run(
+        "INSERT INTO meta VALUES('resolution_m', 0.05), ('min_change_m2', 2.5), "
+        "('max_wait_m2_scans', 100.0), ('first_cut_m2', 10.0), ('min_patch_m2', 0.05)");
     database.run("PRAGMA user_version=1");
     return path;
 }
@@ -160,15 +163,17 @@ TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed));
     EXPECT_EQ(name_of(path, 1), "Kitchen");
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1);
-    static_cast<void>(Project(path, Access::write));
+    EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
+    static_cast<void>(Project::open(path, Access::write));
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1) << "not saved";
     rename(path, 2, "Store");
-    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 2);
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 3);
+    EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed, EditState::done));
     undo(path);
     EXPECT_THAT(error_of([&] { undo(path); }), HasSubstr("edit 1 was made by a version"));
     EXPECT_EQ(name_of(path, 1), "Kitchen");
-    EXPECT_EQ(Project(path, Access::read).integrity(), "ok");
+    EXPECT_EQ(integrity(path), "ok");
 }
 
 TEST(EditHistory, RowsThatCannotBeAreRefused) {
@@ -184,7 +189,8 @@ TEST(EditHistory, RowsThatCannotBeAreRefused) {
           "UPDATE undo_cells SET x = x + 100000", "DELETE FROM undo_cells",
           "UPDATE undo_cells SET cells = 'all'", "UPDATE edits SET room = 4711",
           "UPDATE edits SET other = 1", "UPDATE edits SET other = 60000",
-          "UPDATE edits SET kind = NULL", "UPDATE edits SET from_x = 1e300",
+          "UPDATE edits SET kind = NULL", "UPDATE edits SET kind = 'paint'",
+          "UPDATE edits SET from_x = 1e300",
           "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
@@ -194,8 +200,8 @@ TEST(EditHistory, RowsThatCannotBeAreRefused) {
     io::write_file_atomically(path, good);
     Database(path, Access::write).run("UPDATE undo_rooms SET name = CAST(x'ff0a1b' AS TEXT)");
     undo(path);
-    static_cast<void>(Project(path, Access::read).follower().rooms());
+    static_cast<void>(building(path)->rooms());
 }
 
 }  // namespace
-}  // namespace quadcut::store
+}  // namespace quadcut::project

@@ -3,21 +3,21 @@
 #include "project/project.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/file.hpp"
-#include "quadcut/base/error.hpp"
-#include "quadcut/base/random.hpp"
+#include "io/option_text.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
+#include "tests/unit/spectral/fake_accelerator.hpp"
 
-namespace quadcut::store {
+namespace quadcut {
 namespace {
 
 using io::test::error_of;
@@ -26,227 +26,229 @@ using test::scans_in;
 using test::small_building;
 using testing::HasSubstr;
 
-LogPosition some_log() {
-    LogPosition position;
-    position.log = "robot.log";
-    position.log_hash = 0xfedcba9876543210U;
+ScanPosition some_log() {
+    ScanPosition position;
+    position.source = "robot.log";
+    position.source_hash = 0xfedcba9876543210U;
     return position;
 }
 
-std::filesystem::path project_of_two_rooms(const ScratchFolder& folder) {
-    const auto path = folder.path() / "p.quadcut";
-    Project project = Project::create(path, {}, some_log());
-    Follower follower = project.follower();
-    follower.update_cells(test::hall_with_wall());
-    project.save(follower, some_log());
-    return path;
-}
-
-TEST(Project, AFollowerGoesOnFromWhatWasSaved) {
+TEST(Project, GoesOnFromWhatWasSaved) {
     const ScratchFolder folder;
     const std::vector<Scan> scans = scans_in(small_building(3));
     const auto path = folder.path() / "p.quadcut";
-    Follower whole;
+    Project whole = Project::in_memory({}, some_log());
     std::size_t at = 0;
     {
         Project project = Project::create(path, {}, some_log());
-        Follower follower = project.follower();
-        LogPosition position = some_log();
         for (; at < scans.size() / 2; ++at) {
-            whole.add_scan(scans[at]);
-            project.add(follower.add_scan(scans[at]), "line\n");
-            if (at % 50 != 0) continue;
-            position.num_done = at + 1;
-            project.save(follower, position);
+            whole.add_next(scans[at]);
+            project.add_next(scans[at]);
+            if (at % 50 == 0) project.save();
         }
-        position.num_done = at;
-        project.save(follower, position);
-        // What comes after the last save is lost.
-        follower.add_scan(scans[at]);
+        project.save();
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"p.quadcut"});
-    const Project project(path, Access::read);
-    EXPECT_EQ(project.integrity(), "ok");
-    EXPECT_EQ(project.position().num_done, at);
-    EXPECT_EQ(project.position().log_hash, some_log().log_hash);
-    EXPECT_EQ(project.update_lines().size(), 5 * at);
-    Follower follower = project.follower();
+    Project project = Project::open(path, Access::write);
+    EXPECT_EQ(project.position()->num_done, at);
+    EXPECT_EQ(project.position()->source_hash, some_log().source_hash);
+    const std::string lines = project.snapshot()->updates();
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), static_cast<std::ptrdiff_t>(at));
     for (; at < scans.size(); ++at) {
-        const FollowUpdate a = whole.add_scan(scans[at]);
-        const FollowUpdate b = follower.add_scan(scans[at]);
+        const FollowUpdate a = whole.add_next(scans[at]).value();
+        const FollowUpdate b = project.add_next(scans[at]).value();
         ASSERT_EQ(a.nodes_touched, b.nodes_touched) << at;
         ASSERT_EQ(a.ps, b.ps) << at;
         ASSERT_EQ(a.graph_nodes, b.graph_nodes) << at;
         ASSERT_EQ(a.events.size(), b.events.size()) << at;
     }
     whole.finish();
-    follower.finish();
-    EXPECT_EQ(whole.rooms().labels.values, follower.rooms().labels.values);
-    EXPECT_EQ(whole.rooms().next_id, follower.rooms().next_id);
+    project.finish();
+    const Segmentation& rooms = whole.snapshot()->rooms();
+    EXPECT_EQ(rooms.labels.values, project.snapshot()->rooms().labels.values);
+    EXPECT_EQ(rooms.next_id, project.snapshot()->rooms().next_id);
+    EXPECT_EQ(whole.snapshot()->way().size(), scans.size());
+}
+
+TEST(Project, NeedsNoLog) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "p.quadcut";
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    {
+        Project project = Project::create(path, {});
+        for (std::size_t i = 0; i < 40; ++i) project.add(scans[i]);
+        project.finish();
+    }
+    Project project = Project::open(path, Access::write);
+    EXPECT_FALSE(project.position());
+    EXPECT_EQ(project.state().num_scans, 40U);
+    project.set_position(some_log());
+    project.save();
+    EXPECT_THAT(error_of([&] { static_cast<void>(Project::open_or_create(path, {}, some_log())); }),
+                HasSubstr("another program"));
+}
+
+TEST(Project, AMemoryBecomesAFile) {
+    const ScratchFolder folder;
+    Project project = Project::in_memory({});
+    project.add(test::hall_with_wall());
+    project.edit(test::rename(RoomId{1}, "Kitchen"));
+    project.save();
+    const auto path = folder.write("p.quadcut", project.file_bytes());
+    const Project saved = Project::open(path, Access::read);
+    EXPECT_EQ(saved.snapshot()->followed().at(1).name, "Kitchen");
+    EXPECT_EQ(saved.history().size(), 1U);
+    EXPECT_EQ(saved.snapshot()->updates(), project.snapshot()->updates());
+    project.undo();
+    EXPECT_EQ(project.snapshot()->followed().at(1).name, "");
+}
+
+TEST(Project, AScanThatCannotBeUsedIsLeftOutAndCounted) {
+    Project project = Project::in_memory({}, some_log());
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    Scan bad = scans[0];
+    bad.world_from_sensor.x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(project.add_next(scans[0], "line 7"));
+    EXPECT_FALSE(project.add_next(bad, "line 8"));
+    EXPECT_FALSE(project.add_next(bad, "line 9"));
+    EXPECT_EQ(project.position()->num_done, 3U);
+    ASSERT_EQ(warnings_of(*project.position()).size(), 1U);
+    EXPECT_THAT(warnings_of(*project.position())[0],
+                HasSubstr("scans left out: 2; the first: line 8: "));
+    EXPECT_EQ(project.state().revision, 1U) << "nothing has changed";
+    EXPECT_NE(error_of([&] { project.add(bad); }), "no error");
+}
+
+TEST(Project, BelongsToOneSourceAndItsOptions) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "in/new/p.quadcut";
+    const auto begin = [&](const FollowOptions& options, const ScanPosition& source) {
+        return error_of([&] { static_cast<void>(Project::open_or_create(path, options, source)); });
+    };
+    EXPECT_EQ(begin({}, some_log()), "no error");
+    EXPECT_EQ(begin({}, some_log()), "no error");
+    ScanPosition other = some_log();
+    other.source_hash = 1;
+    EXPECT_THAT(begin({}, other), HasSubstr("p.quadcut: follows another log, robot.log, or had"));
+    FollowOptions options;
+    options.resolution_m = 0.1;
+    EXPECT_THAT(begin(options, some_log()), HasSubstr("was begun with resolution = 0.05"));
+    options = {};
+    options.segment.seed = 2;
+    EXPECT_THAT(begin(options, some_log()), HasSubstr("was begun with seed = 1"));
+    const auto without = folder.path() / "without.quadcut";
+    static_cast<void>(Project::create(without, {}));
+    EXPECT_THAT(
+        error_of([&] { static_cast<void>(Project::open_or_create(without, {}, some_log())); }),
+        HasSubstr("without.quadcut: follows no log"));
+}
+
+TEST(Project, KeepsAllOptionsThatDecideTheResult) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "p.quadcut";
+    FollowOptions options;
+    options.resolution_m = 1.0 / 30.0;
+    options.integrate.miss = -2;
+    options.integrate.usable_range_m = 12.5;
+    options.min_change_m2 = 3.0;
+    options.segment.rooms.door_width_m = 2.0;
+    options.segment.seed = 7;
+    static_cast<void>(Project::create(path, options));
+    FollowOptions kept = Project::open(path, Access::read).options();
+    const std::vector<OptionField> had = option_fields(options);
+    const std::vector<OptionField> has = option_fields(kept);
+    for (std::size_t i = 0; i < had.size(); ++i) {
+        EXPECT_EQ(io::option_text(has[i]), io::option_text(had[i])) << had[i].name;
+    }
+}
+
+TEST(Project, UsesTheDeviceThatItIsGiven) {
+    const ScratchFolder folder;
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    const auto path = folder.path() / "p.quadcut";
+    static_cast<void>(Project::create(path, options));
+    test::FakeAccelerator device(true);
+    Project::open(path, Access::write, RunOptions{1, &device}).add(test::bare_hall());
+    EXPECT_GT(device.num_calls, 0);
 }
 
 TEST(Project, EditsAreRowsThatStay) {
     const ScratchFolder folder;
     const auto path = folder.path() / "p.quadcut";
     {
-        Project project = Project::create(path, {}, some_log());
-        Follower follower = project.follower();
-        follower.update_cells(test::bare_hall());
-        const RoomId hall = follower.room_at({9.0, 3.0});
-        project.add({"rename", hall, {}, "Hall", {}}, follower.rename(hall, "Hall"));
-        const Edited split = follower.split({4.0, 1.0}, {4.0, 5.0});
-        project.add({"split", hall, split.inverse.other, "", follower.split_lines().back()}, split);
-        project.save(follower, some_log());
+        Project project = Project::create(path, {});
+        project.add(test::bare_hall());
+        const RoomId hall = project.snapshot()->room_at({9.0, 3.0});
+        EXPECT_EQ(project.edit(test::rename(hall, "  Hall ")).edit.name, "Hall");
+        EXPECT_EQ(project.edit(test::split({4.0, 1.0}, {4.0, 5.0})).number, 2);
+        project.save();
     }
-    const Project project(path, Access::read);
-    ASSERT_EQ(project.edits().size(), 2U);
-    EXPECT_EQ(project.edits()[0].name, "Hall");
-    EXPECT_EQ(project.edits()[1].kind, "split");
-    Follower follower = project.follower();
-    follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
-    EXPECT_EQ(follower.num_rooms(), 2U) << "the line is still a cut";
-    EXPECT_EQ(follower.followed().at(1).name, "Hall");
+    Project project = Project::open(path, Access::write);
+    ASSERT_EQ(project.history().size(), 2U);
+    EXPECT_EQ(project.history()[0].edit.name, "Hall");
+    const Edit split = project.history()[1].edit;
+    EXPECT_EQ(split.kind, EditKind::split);
+    EXPECT_NEAR(split.from.x, 4.0, 0.03);
+    EXPECT_EQ(project.snapshot()->split_lines().size(), 1U);
+    project.add(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
+    EXPECT_EQ(project.state().num_rooms, 2U) << "the line is still a cut";
+    EXPECT_EQ(project.snapshot()->followed().at(1).name, "Hall");
 }
 
-TEST(Project, WhatIsNoProjectIsRefused) {
-    const ScratchFolder folder;
-    const auto open = [&](const std::filesystem::path& path) {
-        return error_of([&] { Project(path, Access::write); });
-    };
-    EXPECT_THAT(open(folder.path() / "none"), HasSubstr("none: there is no such project file"));
-    EXPECT_THAT(open(folder.path()), HasSubstr("is a folder: expected a project file"));
-    EXPECT_THAT(open(folder.write("empty", "")), HasSubstr("empty: is no project file"));
-    EXPECT_THAT(open(folder.write("text", std::string(5000, 'x'))),
-                HasSubstr("text: is no project file"));
-    Database other = Database::in_memory(folder.path() / "other");
-    other.run("CREATE TABLE t(x)");
-    folder.write("other", other.file_bytes());
-    EXPECT_THAT(open(folder.path() / "other"), HasSubstr("other: is no project file"));
-    const auto path = folder.path() / "p.quadcut";
-    static_cast<void>(Project::create(path, {}, some_log()));
-    EXPECT_EQ(open(path), "no error");
-    Database(path, Access::write).run("CREATE TABLE extra(x)");
-    EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=3");
-    EXPECT_THAT(open(path), HasSubstr("format version 3: expected 1 to 2; a newer quadcut"));
-}
-
-TEST(Project, RowsThatCannotBeAreRefused) {
-    const ScratchFolder folder;
-    const auto path = project_of_two_rooms(folder);
-    const std::string good = io::read_file(path);
-    for (const std::string sql : {"UPDATE tiles SET log_odds = x'0102' WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET log_odds = 7 WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET log_odds = x'7f' WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET rooms = x'09000000' WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET rooms = zeroblob(5) WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET x = 99999999999 WHERE x = 3 AND y = 3",
-                                  "UPDATE tiles SET x = 100000 WHERE x = 3 AND y = 3",
-                                  "UPDATE rooms SET high_x = 1000000",
-                                  "UPDATE rooms SET announced_m2 = 'wide'",
-                                  "UPDATE rooms SET announced_m2 = 9e999",
-                                  "UPDATE rooms SET merge_group = -1",
-                                  "DELETE FROM rooms",
-                                  "DELETE FROM meta WHERE key = 'next_id'",
-                                  "UPDATE meta SET value = 0 WHERE key = 'next_id'",
-                                  "UPDATE meta SET value = 31 WHERE key = 'root_level'",
-                                  "UPDATE meta SET value = 1 WHERE key = 'root_x'",
-                                  "UPDATE meta SET value = 268435456 WHERE key = 'high_x'",
-                                  "UPDATE meta SET value = -1 WHERE key = 'num_done'",
-                                  "UPDATE meta SET value = 1e300 WHERE key = 'resolution_m'",
-                                  "UPDATE options SET value = 'nan' WHERE name = 'door_width'",
-                                  "INSERT INTO changes VALUES(0, 0, 100)",
-                                  "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {
-        io::write_file_atomically(path, good);
-        Database(path, Access::write).run(sql);
-        const std::string error =
-            error_of([&] { static_cast<void>(Project(path, Access::read).follower()); });
-        EXPECT_THAT(error, HasSubstr("p.quadcut: ")) << sql;
+TEST(Project, ARefusedEditChangesNothing) {
+    Project project = Project::in_memory({});
+    project.add(test::hall_with_wall());
+    const auto before = project.snapshot();
+    for (const Edit& edit : {test::rename(RoomId{1}, "\n"), test::rename(RoomId{9}, "Hall"),
+                             test::merge(RoomId{1}, RoomId{1}), test::unlock(RoomId{1})}) {
+        EXPECT_NE(error_of([&] { project.edit(edit); }), "no error");
     }
+    EXPECT_THAT(error_of([&] { project.undo(); }), HasSubstr("nothing to undo"));
+    EXPECT_EQ(project.snapshot(), before);
+    EXPECT_TRUE(project.history().empty());
 }
 
-TEST(Project, OptionsThatAreNoneAnyMoreAreReadOver) {
-    const ScratchFolder folder;
-    const auto path = project_of_two_rooms(folder);
-    Database(path, Access::write)
-        .run(
-            "INSERT INTO options VALUES('rooms.fuse', 'model'), ('rooms.furniture', 'off_wall'), "
-            "('rooms.min_ratio', '0.6')");
-    EXPECT_EQ(Project(path, Access::write).follower().num_rooms(), 2U);
-    for (const auto& [name, value, words] :
-         {std::array{"rooms.fuse", "ratio",
-                     "was begun with rooms.fuse = ratio, which is no choice"},
-          std::array{"rooms.furniture", "reach", "expected off_wall; 'quadcut follow LOG -o DIR"},
-          std::array{"rooms.pieces", "unsnapped", "expected basins or spectral"},
-          std::array{"rooms.other", "1", "unknown option 'rooms.other'"}}) {
-        const std::string row = std::string("VALUES('") + name + "', '" + value + "')";
-        const std::filesystem::path file = folder.path() / name;
-        std::filesystem::copy_file(path, file);
-        Database(file, Access::write).run("REPLACE INTO options " + row);
-        EXPECT_THAT(error_of([&file] { Project(file, Access::read); }),
-                    testing::AllOf(HasSubstr(name), HasSubstr(words)));
-    }
-}
-
-TEST(Project, DamagedBytesAreAnErrorOrNoHarm) {
-    const ScratchFolder folder;
-    const auto path = project_of_two_rooms(folder);
-    const std::string good = io::read_file(path);
-    Random random(3);
-    int num_errors = 0;
-    for (int i = 0; i < 60; ++i) {
-        std::string bad = good;
-        if (i % 3 == 0) bad.resize(random.below(bad.size()));
-        for (int k = 0; k < 40 && !bad.empty(); ++k) {
-            bad[random.below(bad.size())] = static_cast<char>(random.below(256));
-        }
-        io::write_file_atomically(path, bad);
-        const std::string error = error_of([&] {
-            Project project(path, Access::write);
-            Follower follower = project.follower();
-            project.save(follower, project.position());
-        });
-        if (error != "no error") ++num_errors;
-        std::filesystem::remove(path.string() + "-wal");
-        std::filesystem::remove(path.string() + "-shm");
-    }
-    EXPECT_GT(num_errors, 20);
-}
-
-TEST(Project, OneProgramWritesAtATimeOthersRead) {
+TEST(Project, WhatIsReadOnlyIsNotChanged) {
     const ScratchFolder folder;
     const auto path = folder.path() / "p.quadcut";
-    Project writer = Project::create(path, {}, some_log());
-    EXPECT_THAT(error_of([&] { Project(path, Access::write); }),
-                HasSubstr("another program is writing"));
-    const Project reader(path, Access::read);
-    EXPECT_EQ(reader.follower().num_rooms(), 0U);
-    Follower follower = writer.follower();
-    follower.update_cells(test::bare_hall());
-    writer.save(follower, some_log());
-    EXPECT_EQ(Project(path, Access::read).follower().num_rooms(), 1U);
-    EXPECT_THAT(error_of([&] { Project(path, Access::write); }),
-                HasSubstr("another program is writing"));
+    static_cast<void>(Project::create(path, {}));
+    Project project = Project::open(path, Access::read);
+    EXPECT_THROW(project.add(test::bare_hall()), std::logic_error);
+    EXPECT_THROW(project.save(), std::logic_error);
+    EXPECT_EQ(project.snapshot()->num_rooms(), 0U);
 }
 
-TEST(Project, AFullDiskLeavesWhatWasSaved) {
-    const ScratchFolder folder;
-    const auto path = folder.path() / "p.quadcut";
-    {
-        Project project = Project::create(path, {}, some_log());
-        Follower follower = project.follower();
-        follower.update_cells(test::bare_hall());
-        project.save(follower, some_log());
-        project.limit_pages(1);
-        follower.update_cells(Raster<CellState>({300, 0}, 800, 800, CellState::free));
-        EXPECT_THAT(error_of([&] { project.save(follower, some_log()); }),
-                    HasSubstr("no space is left; the file holds what was saved before"));
-    }
-    const Project project(path, Access::read);
-    EXPECT_EQ(project.integrity(), "ok");
-    EXPECT_EQ(project.follower().num_rooms(), 1U);
-    EXPECT_EQ(project.follower().map().state({500, 400}), CellState::unknown);
+TEST(Project, ASnapshotIsMadeOnceARevisionAndNeverChanges) {
+    Project project = Project::in_memory({});
+    project.add(test::bare_hall());
+    const auto one = project.snapshot();
+    EXPECT_EQ(one, project.snapshot());
+    EXPECT_EQ(one->num_rooms(), 1U);
+    project.add(test::hall_with_wall());
+    const auto two = project.snapshot();
+    EXPECT_NE(one, two);
+    EXPECT_LT(one->revision(), two->revision());
+    EXPECT_EQ(two->num_rooms(), 2U);
+    EXPECT_EQ(one->rooms().rooms.size(), 1U) << "asked for late";
+    const std::string lines = one->updates();
+    EXPECT_EQ(two->updates().substr(0, lines.size()), lines);
+    EXPECT_GT(two->updates().size(), lines.size());
+    project.set_position(some_log());
+    EXPECT_EQ(two, project.snapshot()) << "the building is as it was";
+}
+
+TEST(Project, FinishingIsDoneOnceUnlessMoreIsSeen) {
+    Project project = Project::in_memory({});
+    project.add(test::bare_hall());
+    project.finish();
+    const std::uint64_t finished = project.state().revision;
+    project.finish();
+    EXPECT_EQ(project.state().revision, finished);
+    project.add(test::hall_with_wall());
+    project.finish();
+    EXPECT_EQ(project.state().revision, finished + 2);
 }
 
 }  // namespace
-}  // namespace quadcut::store
+}  // namespace quadcut

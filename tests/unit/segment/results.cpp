@@ -64,7 +64,7 @@ TEST(Regions, AnOutlinedBoxBelongsToItsRoom) {
                                                   ".#..#.",  //
                                                   ".####.",  //
                                                   "......"});
-    EXPECT_TRUE(adopt_pockets(labels, free, find_pockets(labels, free, 0.1, 1.0)).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //
@@ -88,11 +88,11 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
                                                   ".######.",  //
                                                   ".######.",  //
                                                   "........"});
-    EXPECT_FALSE(adopt_pockets(labels, free, find_pockets(labels, free, 0.1, 1.0)).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "0.2 m of wall";
-    EXPECT_FALSE(adopt_pockets(labels, free, find_pockets(labels, free, 0.05, 0.0008)).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, free, 0.05, 0.0008).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "larger than a pocket may be";
-    EXPECT_TRUE(adopt_pockets(labels, free, find_pockets(labels, free, 0.05, 1.0)).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, free, 0.05, 1.0).is_any);
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";
 }
 
@@ -108,9 +108,9 @@ TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
                     "a....a",  //
                     "aaaaaa"};
     Raster<std::uint32_t> labels = drawn_labels(rows);
-    EXPECT_FALSE(adopt_pockets(labels, free, find_pockets(labels, free, 0.1, 0.2)).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 0.2).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "two small rooms are no pockets of each other";
-    EXPECT_TRUE(adopt_pockets(labels, free, find_pockets(labels, free, 0.1, 0.1)).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 0.1).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
 #include "tests/unit/rooms/drawing.hpp"
 
 namespace quadcut {
@@ -145,18 +146,14 @@ TEST(Segment, PaperChoosesTheNumberBySilhouette) {
     EXPECT_LE(result.rooms.size(), 20U);
 }
 
-TEST(Segment, PaperFindsTheSameComponentsBothWays) {
+TEST(Segment, PaperDropsSpecks) {
     // Two buildings that share nothing, and a speck.
     GridMap map = office();
     for (std::int32_t y = 0; y < 290; ++y) map.states.at({180, y}) = CellState::occupied;
     map.states.at({2, 2}) = CellState::free;
     SegmentOptions options = preset(Preset::paper);
     options.paper.num_submaps = 6;
-    const Segmentation by_traversal = segment(map, options);
-    options.paper.component_search = ComponentSearch::null_space;
-    const Segmentation by_null_space = segment(map, options);
-    EXPECT_EQ(by_traversal.labels.values, by_null_space.labels.values);
-    EXPECT_EQ(by_traversal.labels.at({2, 2}), 0) << "the speck is dropped";
+    EXPECT_EQ(segment(map, options).labels.at({2, 2}), 0);
 }
 
 TEST(Segment, PaperDropsSubmapsThatTheTrajectoryDoesNotCross) {
@@ -165,7 +162,7 @@ TEST(Segment, PaperDropsSubmapsThatTheTrajectoryDoesNotCross) {
     options.paper.num_submaps = 7;
     const std::vector<Point> trajectory{{3.0, 7.2}, {9.0, 7.2}, {9.0, 3.0}};
     const Segmentation all = segment(map, options);
-    const Segmentation crossed = segment(map, options, trajectory);
+    const Segmentation crossed = segment(map, options, {}, trajectory);
     EXPECT_LT(crossed.rooms.size(), all.rooms.size());
     for (const Cell cell : visited_cells(map, trajectory)) {
         if (all.labels.at(cell) != 0) {
@@ -191,11 +188,9 @@ TEST(Segment, ThreadsDoNotChangeManyRooms) {
     const GridMap map = many_offices();
     SegmentOptions options;
     options.with_hierarchy = true;
-    options.num_threads = 1;
-    const Segmentation one = segment(map, options);
+    const Segmentation one = segment(map, options, RunOptions{1});
     EXPECT_EQ(one.rooms.size(), 16U * 7U);
-    options.num_threads = 4;
-    const Segmentation many = segment(map, options);
+    const Segmentation many = segment(map, options, RunOptions{4});
     EXPECT_EQ(many.labels.values, one.labels.values);
     EXPECT_EQ(many.hierarchy.finest.values, one.hierarchy.finest.values);
     ASSERT_EQ(many.doors.size(), one.doors.size());
@@ -235,12 +230,10 @@ TEST(Segment, AnOutlinedTableInAHallIsNoRoomAtTheGranularityOfTheHall) {
 TEST(Segment, ThreadsDoNotChangeAnything) {
     const GridMap map = office();
     for (const Preset which : {Preset::rooms, Preset::paper}) {
-        SegmentOptions options = preset(which);
-        options.num_threads = 1;
-        const Segmentation one = segment(map, options);
+        const SegmentOptions options = preset(which);
+        const Segmentation one = segment(map, options, RunOptions{1});
         for (const std::size_t num_threads : {2U, 3U, 8U}) {
-            options.num_threads = num_threads;
-            const Segmentation many = segment(map, options);
+            const Segmentation many = segment(map, options, RunOptions{num_threads});
             EXPECT_EQ(many.labels.values, one.labels.values);
             ASSERT_EQ(many.doors.size(), one.doors.size());
             for (std::size_t i = 0; i < one.doors.size(); ++i) {
@@ -287,18 +280,6 @@ TEST(Segment, TurningAndMirroringDoNotMatter) {
             EXPECT_DOUBLE_EQ(other_areas[i], areas[i]) << "the same rooms to the cell";
         }
     }
-}
-
-TEST(Segment, SpectralPiecesGiveTheSameRoomsOfAnOffice) {
-    const GridMap map = office();
-    const std::vector<double> areas = sorted_areas(segment(map));
-    SegmentOptions options;
-    options.rooms.pieces = PieceSource::spectral;
-    const Segmentation result = segment(map, options);
-    expect_sound(map, result);
-    EXPECT_EQ(sorted_areas(result), areas);
-    EXPECT_GT(result.report.num_leaves, 100U);
-    EXPECT_FALSE(result.report.eigen.empty());
 }
 
 TEST(Segment, PaddingDoesNotMatter) {

@@ -18,21 +18,8 @@ namespace quadcut {
 namespace {
 
 /// Rousseeuw's definition, pair by pair.
-std::vector<double> brute_force(const Embedding& samples, const Clustering& clusters,
-                                SampleDistance distance) {
+std::vector<double> brute_force(const Embedding& samples, const Clustering& clusters) {
     const std::size_t count = samples.num_samples;
-    double mean_squared = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = 0; j < count; ++j) {
-            mean_squared += test::squared_distance(samples, i, j);
-        }
-    }
-    mean_squared /= static_cast<double>(count * (count - 1));
-    const auto S = [&](std::size_t i, std::size_t j) {
-        const double squared = test::squared_distance(samples, i, j);
-        if (distance == SampleDistance::euclidean) return std::sqrt(squared);
-        return 1.0 - std::exp(-squared / (2.0 * mean_squared));
-    };
     std::vector<double> result(count, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
         double a = std::numeric_limits<double>::infinity();
@@ -42,7 +29,7 @@ std::vector<double> brute_force(const Embedding& samples, const Clustering& clus
             double others = 0.0;
             for (std::size_t j = 0; j < count; ++j) {
                 if (j == i || clusters.labels[j] != c) continue;
-                sum += S(i, j);
+                sum += std::sqrt(test::squared_distance(samples, i, j));
                 others += 1.0;
             }
             if (c == clusters.labels[i]) {
@@ -79,19 +66,14 @@ TEST(Silhouette, EqualsTheDefinition) {
             clusters.labels.push_back(
                 static_cast<std::uint32_t>(random.below(clusters.num_clusters)));
         }
-        for (const SampleDistance distance :
-             {SampleDistance::euclidean, SampleDistance::gaussian}) {
-            const auto expected = brute_force(samples, clusters, distance);
-            const auto values = silhouettes(samples, clusters, distance);
-            ASSERT_EQ(values.size(), count);
-            for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(values[i], expected[i], 1e-12);
-            SilhouetteOptions options;
-            options.distance = distance;
-            EXPECT_NEAR(
-                mean_silhouette(samples, clusters, options),
-                std::accumulate(expected.begin(), expected.end(), 0.0) / static_cast<double>(count),
-                1e-12);
-        }
+        const auto expected = brute_force(samples, clusters);
+        const auto values = silhouettes(samples, clusters);
+        ASSERT_EQ(values.size(), count);
+        for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(values[i], expected[i], 1e-12);
+        EXPECT_NEAR(
+            mean_silhouette(samples, clusters),
+            std::accumulate(expected.begin(), expected.end(), 0.0) / static_cast<double>(count),
+            1e-12);
     }
 }
 
@@ -101,8 +83,6 @@ TEST(Silhouette, OneClusterNoSamplesEqualSamples) {
     const Embedding samples{3, 1, {1.0, 1.0, 1.0}};
     EXPECT_EQ(silhouettes(samples, {{0, 0, 0}, 1}), std::vector<double>(3, 0.0));
     EXPECT_EQ(silhouettes(samples, {{0, 0, 1}, 2}), std::vector<double>(3, 0.0));
-    EXPECT_EQ(silhouettes(samples, {{0, 0, 1}, 2}, SampleDistance::gaussian),
-              std::vector<double>(3, 0.0));
     EXPECT_THROW((void)silhouettes(samples, {{0, 0}, 1}), std::logic_error);
     EXPECT_THROW((void)mean_silhouette(samples, {{0, 0}, 1}), std::logic_error);
 }
@@ -127,8 +107,7 @@ TEST(Silhouette, SameForAnyNumberOfThreads) {
     const Clustering clusters{test::blob_labels(1000, 6), 6};
     const auto reference = silhouettes(samples, clusters);
     for (const int num_threads : {2, 3, 8}) {
-        EXPECT_EQ(silhouettes(samples, clusters, SampleDistance::euclidean, {num_threads}),
-                  reference);
+        EXPECT_EQ(silhouettes(samples, clusters, {num_threads}), reference);
     }
 }
 
@@ -176,20 +155,15 @@ TEST(ChooseNumClusters, AsManyAsThereAreRooms) {
 TEST(ChooseNumClusters, ScoresAreThoseOfTheClusteringsOneByOne) {
     const Eigenpairs pairs = pairs_of_rooms(2, 2, 7);
     for (const RowScaling scaling : {RowScaling::none, RowScaling::unit_length}) {
-        for (const SampleDistance distance :
-             {SampleDistance::euclidean, SampleDistance::gaussian}) {
-            ChooseOptions options;
-            options.scaling = scaling;
-            options.silhouette.distance = distance;
-            const ChosenClustering chosen = choose_num_clusters(pairs, options);
-            ASSERT_EQ(chosen.scores.size(), 6U);
-            for (std::size_t k = 2; k <= 7; ++k) {
-                const Embedding samples = embed(pairs, k, scaling);
-                const Clustering clusters = cluster_k_means(samples, k, options.k_means).clustering;
-                EXPECT_NEAR(chosen.scores[k - 2],
-                            mean_silhouette(samples, clusters, options.silhouette), 1e-7)
-                    << "k " << k;
-            }
+        ChooseOptions options;
+        options.scaling = scaling;
+        const ChosenClustering chosen = choose_num_clusters(pairs, options);
+        ASSERT_EQ(chosen.scores.size(), 6U);
+        for (std::size_t k = 2; k <= 7; ++k) {
+            const Embedding samples = embed(pairs, k, scaling);
+            const Clustering clusters = cluster_k_means(samples, k, options.k_means).clustering;
+            EXPECT_NEAR(chosen.scores[k - 2], mean_silhouette(samples, clusters), 1e-12)
+                << "k " << k;
         }
     }
 }
