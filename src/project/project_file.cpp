@@ -248,15 +248,13 @@ void ProjectFile::set_state(const EditRecord& record, const Reversal& inverse) {
     write([&] { write_inverse(database_, record.number, record.state, inverse); });
 }
 
-void ProjectFile::save(const Follower& follower, const Unsaved& unsaved, const Progress& progress) {
+void ProjectFile::save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress) {
     write([&] {
         write_unsaved(unsaved);
-        const Changes changes = follower.changes_since(saved_revision_);
-        write_state(database_, follower.state(), changes.tiles);
+        write_state(database_, state, unsaved.tiles);
         write_progress(database_, progress);
         database_.run("COMMIT");
         progress_ = progress;
-        saved_revision_ = changes.revision;
         database_.run("BEGIN IMMEDIATE");
     });
 }

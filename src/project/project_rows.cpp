@@ -351,6 +351,7 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     }
     state.map.commit();
     if (is_placed && state.map.root() != root) throw InputError("tiles lie outside of the map");
+<<<<<<< HEAD
     if (read_number_or(database, "next_door_id", 0) != 0) {
         read_door_lines(database, state);
         return state;
@@ -359,6 +360,10 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     check(state);
     Changes changes;
     update_doors(state, state.written, options.segment.rooms, {}, changes);
+=======
+    // Who listens and knows of no revision has seen nothing of this.
+    if (is_placed) state.revision = 1;
+>>>>>>> 7998c58253d6890a9af4bf8958d0d7749057c567
     return state;
 }
 
