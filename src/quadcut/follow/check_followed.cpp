@@ -56,6 +56,18 @@ void check_cells(const FollowedMap& followed) {
     }
 }
 
+void check_doors(const FollowedMap& followed) {
+    for (const auto& [id, placed] : followed.doors) {
+        const RoomId a{followed.cells.room(placed.a)};
+        const RoomId b{followed.cells.room(placed.b)};
+        const bool is_door = a != b && a != RoomId{} && b != RoomId{};
+        if (!is_door || placed.door.a != a || placed.door.b != b || id == DoorId{} ||
+            index(id) >= followed.next_door_id) {
+            throw InputError("door " + std::to_string(index(id)) + " is not between its rooms");
+        }
+    }
+}
+
 }  // namespace
 
 void check(const FollowedMap& followed) {
@@ -66,6 +78,7 @@ void check(const FollowedMap& followed) {
     check_rooms(followed);
     require_in_map(followed, followed.split_lines);
     check_cells(followed);
+    check_doors(followed);
     std::size_t num_changed = 0;
     for (const auto& [tile, count] : followed.changed_tiles) {
         if (!holds(followed.written, first_cell_of({tile.first, tile.second}))) {

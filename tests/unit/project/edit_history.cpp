@@ -12,6 +12,7 @@
 #include "io/file.hpp"
 #include "project/project.hpp"
 #include "project/project_file.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -69,7 +70,7 @@ std::vector<EditState> states(const std::filesystem::path& path) {
 }
 
 std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
-    return building(path)->followed().at(room).name;
+    return building(path)->followed()->rooms.at(room).name;
 }
 
 std::string integrity(const std::filesystem::path& path) {
