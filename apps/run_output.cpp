@@ -6,11 +6,8 @@
 
 #include "formats/registry.hpp"
 #include "io/no_rooms_in_map.hpp"
-<<<<<<< HEAD
 #include "io/option_text.hpp"
-=======
 #include "quadcut/follow/followed_map.hpp"
->>>>>>> 7998c58253d6890a9af4bf8958d0d7749057c567
 #include "quadcut/version.hpp"
 
 namespace quadcut {

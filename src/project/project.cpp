@@ -30,144 +30,6 @@ void make_folder_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-<<<<<<< HEAD
-struct Project::Impl {
-    enum class Home : std::uint8_t { memory, file, file_to_read };
-
-    Impl(project::ProjectFile project_file, Home project_home, const RunOptions& run)
-        : home(project_home),
-          file(std::move(project_file)),
-          follower(file.follower(run)),
-          progress(file.progress()),
-          history(file.edits()) {
-        updates->append(file.update_lines());
-        num_saved = updates->size();
-        sum_up();
-    }
-
-    /// Changes wait for each other, in the order in which they were begun.
-    class Turn {
-    public:
-        explicit Turn(Impl& impl) : Turn(impl, std::unique_lock(impl.mutex)) {}
-        Turn(Impl& impl, std::unique_lock<std::mutex> lock) : impl_(impl) {
-            const std::uint64_t own = impl.next_turn++;
-            impl.is_over.wait(lock, [&] { return impl.turn == own; });
-        }
-        Turn(const Turn&) = delete;
-        Turn& operator=(const Turn&) = delete;
-        ~Turn() {
-            {
-                const std::lock_guard lock(impl_.mutex);
-                ++impl_.turn;
-            }
-            impl_.is_over.notify_all();
-        }
-
-    private:
-        Impl& impl_;
-    };
-
-    template <typename Make>
-    auto change(const Make& make) {
-        if (home == Home::file_to_read) throw std::logic_error("a project that is only read");
-        const Turn own(*this);
-        return make();
-    }
-
-    // What follows is called by who has the turn.
-
-    FollowUpdate add(const Scan& scan) {
-        const FollowUpdate update = follower.add_scan(scan);
-        way->append({{scan.world_from_sensor.x, scan.world_from_sensor.y}});
-        return take(update);
-    }
-
-    FollowUpdate take(FollowUpdate update) {
-        update.events.insert(update.events.begin(), refined.begin(), refined.end());
-        refined.clear();
-        updates->append(io::to_json_line(update));
-        set_progress({progress.position, false});
-        tell(update);
-        return update;
-    }
-
-    void set_progress(project::Progress now) {
-        const std::lock_guard lock(mutex);
-        progress = std::move(now);
-    }
-
-    /// Lets all know of a change that was made.
-    void tell(const FollowUpdate& update) {
-        for (const RoomEvent& event : update.events) events.emplace_back(update.scan, event);
-        bool is_asked_for = false;
-        {
-            const std::lock_guard lock(mutex);
-            sum_up();
-            is_asked_for = is_wanted;
-        }
-        if (is_asked_for) publish();
-    }
-
-    void sum_up() {
-        state.revision = follower.state().revision;
-        state.num_scans = follower.num_scans();
-        state.num_rooms = follower.num_rooms();
-    }
-
-    std::shared_ptr<const Snapshot> publish() {
-        Snapshot::Story story{
-            [lines = updates, count = updates->size()] { return lines->between(0, count); },
-            [points = way, count = way->size()] { return points->between(0, count); }};
-        auto made = std::make_shared<const Snapshot>(follower, state.revision, std::move(story));
-        const std::lock_guard lock(mutex);
-        is_wanted = false;
-        return latest = std::move(made);
-    }
-
-    void save() {
-        file.save(follower,
-                  {updates->between(num_saved, updates->size()), std::exchange(events, {})},
-                  progress);
-        num_saved = updates->size();
-        saved_at = std::chrono::steady_clock::now();
-    }
-
-    void save_in_time() {
-        const bool is_due = std::chrono::steady_clock::now() - saved_at > kSaveAfter;
-        if (home == Home::file && is_due) save();
-    }
-
-    EditRecord reverse(EditRecord record, EditState becomes);
-    void note(const EditRecord& record);
-
-    const Home home;
-    // Of who has the turn.
-    project::ProjectFile file;
-    Follower follower;
-    /// What refining did since the last update.
-    std::vector<RoomEvent> refined;
-    std::vector<std::pair<std::size_t, RoomEvent>> events;
-    std::size_t num_saved = 0;
-    std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
-    const std::shared_ptr<project::Growing<std::string>> updates =
-        std::make_shared<project::Growing<std::string>>();
-    const std::shared_ptr<project::Growing<std::vector<Point>>> way =
-        std::make_shared<project::Growing<std::vector<Point>>>();
-
-    // Written by who has the turn and the mutex, read by who has one of them.
-    std::mutex mutex;
-    std::condition_variable is_over;
-    std::uint64_t next_turn = 0;
-    std::uint64_t turn = 0;
-    bool is_wanted = false;
-    std::shared_ptr<const Snapshot> latest;
-    ProjectState state;
-    project::Progress progress;
-    std::vector<EditRecord> history;
-};
-
-=======
->>>>>>> 7998c58253d6890a9af4bf8958d0d7749057c567
 Project::Project(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Project::Project(Project&&) noexcept = default;
 Project::~Project() = default;
@@ -302,11 +164,6 @@ ProjectState Project::state() const {
     return impl_->state;
 }
 
-Changes Project::changes_since(std::uint64_t revision) const {
-    const Impl::Turn own(*impl_);
-    return impl_->follower.changes_since(revision);
-}
-
 std::vector<EditRecord> Project::history() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->history;
@@ -339,8 +196,8 @@ void Project::Impl::set_progress(project::Progress now) {
     progress = std::move(now);
 }
 
-void Project::Impl::tell(const std::vector<LifeEvent>& told, std::size_t scan) {
-    for (const LifeEvent& event : told) events.emplace_back(scan, event);
+void Project::Impl::tell(const std::vector<RoomEvent>& told, std::size_t scan) {
+    for (const RoomEvent& event : told) events.emplace_back(scan, event);
     // Also of an update that failed halfway.
     Changes made = follower.changes_since(state.revision);
     bool is_asked_for = false;

@@ -25,11 +25,7 @@ namespace quadcut {
 
 /// How far a project is.
 struct ProjectState {
-<<<<<<< HEAD
-    /// Grows by one with each change of the map, its rooms or their names; saved with them.
-=======
-    /// Grows with each change of the map, its rooms or their names; FollowedMap::revision.
->>>>>>> 7998c58253d6890a9af4bf8958d0d7749057c567
+    /// Grows with each change of the map, its rooms or their names; saved with them.
     std::uint64_t revision = 0;
     std::size_t num_scans = 0;
     std::size_t num_rooms = 0;
@@ -115,8 +111,6 @@ public:
     [[nodiscard]] Changes changes_since(std::uint64_t revision) const;
     /// After the last change.
     [[nodiscard]] ProjectState state() const;
-    /// What changed after a revision, as Follower::changes_since(); waits for changes.
-    [[nodiscard]] Changes changes_since(std::uint64_t revision) const;
     /// All edits of people, the first first.
     [[nodiscard]] std::vector<EditRecord> history() const;
     [[nodiscard]] std::optional<ScanPosition> position() const;

@@ -202,7 +202,6 @@ void ProjectFile::read_progress() {
     position.first_left_out = meta(database_, "first_left_out").text(0);
     if (!position.source.empty()) progress_.position = std::move(position);
     progress_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
-    saved_revision_ = read_revision(database_);
 }
 
 Follower ProjectFile::follower(const RunOptions& run) const {

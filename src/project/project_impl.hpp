@@ -77,7 +77,7 @@ struct Project::Impl {
     FollowUpdate take(FollowUpdate update);
     void set_progress(project::Progress now);
     /// Lets all know of a change that was made.
-    void tell(const std::vector<LifeEvent>& told, std::size_t scan);
+    void tell(const std::vector<RoomEvent>& told, std::size_t scan);
     void sum_up();
     std::shared_ptr<const Snapshot> publish();
     void save();
@@ -91,8 +91,8 @@ struct Project::Impl {
     project::ProjectFile file;
     Follower follower;
     /// What refining did since the last update.
-    std::vector<LifeEvent> refined;
-    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::vector<RoomEvent> refined;
+    std::vector<std::pair<std::size_t, RoomEvent>> events;
     std::size_t num_saved = 0;
     std::uint64_t saved_revision = 0;
     std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
