@@ -18,6 +18,7 @@
 #include "io/carmen.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {
@@ -87,7 +88,7 @@ void add_cost_at_end(const Project& project, Json& row) {
     };
     std::shared_ptr<const Snapshot> building;
     row["snapshot_ms"] = timed([&] { building = project.snapshot(); });
-    row["snapshot_bytes"] = building->bytes();
+    row["snapshot_bytes"] = building->followed()->map.bytes() + building->followed()->cells.bytes();
     row["again_ms"] = timed([&] { static_cast<void>(project.snapshot()); });
     row["map_ms"] = timed([&] { static_cast<void>(building->map()); });
     row["rooms_ms"] = timed([&] { static_cast<void>(building->rooms()); });

@@ -11,7 +11,7 @@
 
 #include "io/file.hpp"
 #include "io/option_text.hpp"
-#include "io/updates.hpp"
+#include "io/room_events.hpp"
 #include "project/new_file.hpp"
 #include "project/project_rows.hpp"
 #include "project/schema.hpp"
@@ -206,7 +206,7 @@ void ProjectFile::read_progress() {
 
 Follower ProjectFile::follower(const RunOptions& run) const {
     try {
-        return Follower(options_, read_state(database_, options_.resolution_m), run);
+        return Follower(options_, read_state(database_, options_), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
@@ -247,15 +247,13 @@ void ProjectFile::set_state(const EditRecord& record, const Reversal& inverse) {
     write([&] { write_inverse(database_, record.number, record.state, inverse); });
 }
 
-void ProjectFile::save(const Follower& follower, const Unsaved& unsaved, const Progress& progress) {
+void ProjectFile::save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress) {
     write([&] {
         write_unsaved(unsaved);
-        const Changes changes = follower.changes_since(saved_revision_);
-        write_state(database_, follower.state(), changes.tiles);
+        write_state(database_, state, unsaved.tiles);
         write_progress(database_, progress);
         database_.run("COMMIT");
         progress_ = progress;
-        saved_revision_ = changes.revision;
         database_.run("BEGIN IMMEDIATE");
     });
 }
@@ -269,12 +267,12 @@ void ProjectFile::write_unsaved(const Unsaved& unsaved) {
     }
     Statement event(database_,
                     "INSERT INTO lineage(scan, event, room, other, reason) VALUES(?, ?, ?, ?, ?)");
-    for (const auto& [scan, life] : unsaved.events) {
+    for (const auto& [scan, one] : unsaved.events) {
         event.bind(1, static_cast<std::int64_t>(scan))
-            .bind(2, std::string_view(io::name_of(life.life)))
-            .bind(3, static_cast<std::int64_t>(index(life.room)))
-            .bind(4, static_cast<std::int64_t>(index(life.other)))
-            .bind(5, std::string_view(life.reason))
+            .bind(2, std::string_view(io::name_of(one.change)))
+            .bind(3, static_cast<std::int64_t>(index(one.room)))
+            .bind(4, static_cast<std::int64_t>(index(one.other)))
+            .bind(5, std::string_view(one.reason))
             .run();
     }
 }

@@ -12,6 +12,7 @@
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/follow/check_followed.hpp"
+#include "quadcut/follow/live_doors.hpp"
 
 namespace quadcut::project {
 namespace {
@@ -126,6 +127,27 @@ void write_doors(const Database& database, const FollowedMap& state) {
     }
 }
 
+void write_door_lines(const Database& database, const FollowedMap& state) {
+    Statement(database, "DELETE FROM door_lines").run();
+    Statement insert(database,
+                     "INSERT INTO door_lines VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const auto& [id, placed] : state.doors) {
+        const Door& door = placed.door;
+        insert.bind(1, std::int64_t{static_cast<std::uint32_t>(id)});
+        bind_cell(insert, 2, placed.a);
+        bind_cell(insert, 4, placed.b);
+        insert.bind(6, door.jamb_1.x)
+            .bind(7, door.jamb_1.y)
+            .bind(8, door.jamb_2.x)
+            .bind(9, door.jamb_2.y)
+            .bind(10, door.width_m)
+            .bind(11, door.room_a_width_m)
+            .bind(12, door.room_b_width_m)
+            .bind(13, door.confidence)
+            .run();
+    }
+}
+
 void write_rest(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM changes").run();
     Statement change(database, "INSERT INTO changes VALUES(?, ?, ?)");
@@ -161,6 +183,16 @@ void write_rest(const Database& database, const FollowedMap& state) {
     write("next_id", state.next_id);
     write("num_left_over", signed_count(state.num_left_over));
     write("cut_at", signed_count(state.cut_at));
+    write("next_door_id", state.next_door_id);
+    write("revision", static_cast<std::int64_t>(state.revision));
+}
+
+/// What projects before version 3 do not have.
+std::int64_t read_number_or(const Database& database, std::string_view key,
+                            std::int64_t otherwise) {
+    Statement row(database, "SELECT value FROM meta WHERE key = ?");
+    row.bind(1, key);
+    return row.step() ? row.integer(0, 0, kMaxCount) : otherwise;
 }
 
 std::map<std::string, std::int64_t> read_numbers(const Database& database) {
@@ -175,6 +207,8 @@ std::map<std::string, std::int64_t> read_numbers(const Database& database) {
         }
         numbers[key] = row.integer(0, -4 * kMaxCoordinate, kMaxCount);
     }
+    numbers["next_door_id"] = read_number_or(database, "next_door_id", 1);
+    numbers["revision"] = read_number_or(database, "revision", 0);
     return numbers;
 }
 
@@ -208,6 +242,8 @@ FollowedMap read_meta(const Database& database, double resolution_m) {
     state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
     state.num_left_over = count("num_left_over");
     state.cut_at = count("cut_at");
+    state.next_door_id = static_cast<std::uint32_t>(number("next_door_id", 1, kMaxRoom));
+    state.revision = static_cast<std::uint64_t>(number("revision", 0, kMaxCount));
     return state;
 }
 
@@ -228,6 +264,24 @@ void read_rooms_table(const Database& database, FollowedMap& state) {
         const double num_cells = std::round(row.number(12) / state.cell_m2());
         room.num_cells = static_cast<std::size_t>(std::clamp(num_cells, 0.0, 1e15));
         state.rooms[static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))] = room;
+    }
+}
+
+void read_door_lines(const Database& database, FollowedMap& state) {
+    Statement row(database,
+                  "SELECT id, ax, ay, bx, by, x1, y1, x2, y2, width_m, room_a_width_m, "
+                  "room_b_width_m, confidence FROM door_lines ORDER BY id");
+    while (row.step()) {
+        PlacedDoor placed{{}, cell_at(row, 1), cell_at(row, 3)};
+        placed.door.a = RoomId{state.cells.room(placed.a)};
+        placed.door.b = RoomId{state.cells.room(placed.b)};
+        placed.door.jamb_1 = {row.number(5), row.number(6)};
+        placed.door.jamb_2 = {row.number(7), row.number(8)};
+        placed.door.width_m = row.number(9);
+        placed.door.room_a_width_m = row.number(10);
+        placed.door.room_b_width_m = row.number(11);
+        placed.door.confidence = row.number(12);
+        state.doors[DoorId{static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))}] = placed;
     }
 }
 
@@ -270,11 +324,12 @@ void write_state(const Database& database, const FollowedMap& state, std::span<c
     write_tiles(database, state, tiles);
     write_rooms(database, state);
     write_doors(database, state);
+    write_door_lines(database, state);
     write_rest(database, state);
 }
 
-FollowedMap read_state(const Database& database, double resolution_m) {
-    FollowedMap state = read_meta(database, resolution_m);
+FollowedMap read_state(const Database& database, const FollowOptions& options) {
+    FollowedMap state = read_meta(database, options.resolution_m);
     require_room_for(state, {});
     read_rooms_table(database, state);
     read_lists(database, state);
@@ -292,6 +347,16 @@ FollowedMap read_state(const Database& database, double resolution_m) {
     }
     state.map.commit();
     if (is_placed && state.map.root() != root) throw InputError("tiles lie outside of the map");
+    // Who listens and knows of no revision has seen nothing of this.
+    if (is_placed && state.revision == 0) state.revision = 1;
+    if (read_number_or(database, "next_door_id", 0) != 0) {
+        read_door_lines(database, state);
+        return state;
+    }
+    // Before version 3 doors were not kept.
+    check(state);
+    Changes changes;
+    update_doors(state, state.written, options.segment.rooms, {}, changes);
     return state;
 }
 

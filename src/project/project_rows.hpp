@@ -7,6 +7,7 @@
 
 #include "project/database.hpp"
 #include "quadcut/follow/followed_map.hpp"
+#include "quadcut/follow/options.hpp"
 
 namespace quadcut::project {
 
@@ -22,6 +23,6 @@ void bind_cell(Statement& statement, int place, Cell cell);
 /// open.
 void write_state(const Database& database, const FollowedMap& state, std::span<const Cell> tiles);
 /// Reads it again. Throws InputError for rows that cannot be.
-[[nodiscard]] FollowedMap read_state(const Database& database, double resolution_m);
+[[nodiscard]] FollowedMap read_state(const Database& database, const FollowOptions& options);
 
 }  // namespace quadcut::project

@@ -207,9 +207,9 @@ private:
     }
 
     void note(const quadcut::FollowUpdate& update) {
-        for (const quadcut::LifeEvent& event : update.events) {
-            const bool is_new =
-                event.life == quadcut::RoomLife::born || event.life == quadcut::RoomLife::split;
+        for (const quadcut::RoomEvent& event : update.events) {
+            const bool is_new = event.change == quadcut::RoomChange::born ||
+                                event.change == quadcut::RoomChange::split;
             const auto id = static_cast<std::uint32_t>(event.room);
             if (is_new) require(ids_.insert(id).second);
         }

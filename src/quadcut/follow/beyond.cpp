@@ -32,11 +32,11 @@ std::uint64_t without_unwanted(Cell tile, std::uint64_t rows, const Raster<std::
 }
 
 /// To how many rooms that are somewhere to go to a group has openings.
-std::size_t openings_outside(const FollowedMap& followed, const Window& window, std::uint32_t room,
+std::size_t openings_outside(const FollowedMap& followed, const Box& window, std::uint32_t room,
                              const Outside& outside, std::size_t group) {
     std::set<std::uint32_t> neighbours;
     for (const RoomOpening& opening : followed.openings) {
-        if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
+        if (opening.clearance_m <= kFitsM || window.contains(opening.a)) continue;
         for (const auto& [own, far] :
              {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
             const std::uint32_t other = followed.cells.room(far);
@@ -55,16 +55,17 @@ Outside look_outside(const FollowedMap& followed, const Window& window, std::uin
                      const std::vector<Cell>& parts, const Raster<std::uint32_t>& labels) {
     const auto num_inside = static_cast<std::size_t>(
         std::count(window.rooms.values.begin(), window.rooms.values.end(), room));
-    if (parts.size() == 1) return {{0}, {followed.rooms.at(room).num_cells - num_inside}, {}};
+    if (parts.size() == 1) return {{0}, {followed.rooms.at(room).num_cells - num_inside}, {}, 0};
     // Several parts: a walk through the room, around what is cut anew, tells which are connected.
     // Furniture that was no room yet may stand for a part.
     std::set<std::uint32_t> ways;
     for (const Cell part : parts) ways.insert(labels.at(part));
+    Outside outside;
     TileWalk walk([&](Cell tile) {
+        outside.cells_read += kTileCells;
         return without_unwanted(tile, rows_of(followed.cells.tile(tile), room), labels,
                                 [&](Cell cell) { return ways.count(labels.at(cell)) != 0; });
     });
-    Outside outside;
     for (const Cell part : parts) {
         std::size_t group = 0;
         while (group < outside.groups.size() && !outside.groups[group].contains(part)) ++group;
@@ -81,7 +82,7 @@ Outside look_outside(const FollowedMap& followed, const Window& window, std::uin
     return outside;
 }
 
-std::vector<Beyond> beyond_of(const FollowedMap& followed, const Window& window, std::uint32_t room,
+std::vector<Beyond> beyond_of(const FollowedMap& followed, const Box& window, std::uint32_t room,
                               const Outside& outside) {
     std::vector<Beyond> groups;
     for (std::size_t group = 0; group < outside.num_cells.size(); ++group) {

@@ -20,7 +20,7 @@ namespace quadcut {
                                    const Raster<std::uint32_t>& labels);
 
 /// What each group has out there, as the graph of regions sees it.
-[[nodiscard]] std::vector<Beyond> beyond_of(const FollowedMap& followed, const Window& window,
+[[nodiscard]] std::vector<Beyond> beyond_of(const FollowedMap& followed, const Box& window,
                                             std::uint32_t room, const Outside& outside);
 
 /// The cells of a group out there.

@@ -25,6 +25,8 @@ public:
     void add(Changes changes);
     /// All that changed after a revision, which is begin() or later. O(changes since then).
     [[nodiscard]] Changes since(std::uint64_t revision) const;
+    /// What is kept.
+    [[nodiscard]] std::size_t size() const { return num_kept_ + num_added_; }
 
 private:
     void forget_what_changed_again();

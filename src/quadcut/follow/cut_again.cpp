@@ -10,6 +10,7 @@
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/follow/cut_submaps.hpp"
 #include "quadcut/follow/cut_window.hpp"
+#include "quadcut/follow/live_doors.hpp"
 #include "quadcut/follow/take_over.hpp"
 #include "quadcut/rooms/narrowing.hpp"
 
@@ -77,7 +78,17 @@ void cut_box(FollowedMap& followed, const Box& decided, const SegmentOptions& op
     const Window window = read_window(followed, around, decided);
     WindowCut cut = cut_window(followed, window, options, executor);
     fill_split_lines(followed, cut);
+    const std::size_t num_before = std::max<std::size_t>(1, update.changes.tiles.size());
     take_over(followed, window, cut, update);
+    update.cells_read += cut.cells_read;
+    // Pieces that reach into what is decided are decided as a whole.
+    Box changed = decided;
+    for (std::size_t i = num_before - 1; i < update.changes.tiles.size(); ++i) {
+        const Cell tile = update.changes.tiles[i];
+        const Box cells = cells_of_tiles({tile, tile}).intersected(around);
+        if (!cells.is_empty()) changed.include(cells);
+    }
+    update_doors(followed, changed, options.rooms, executor, update.changes);
     for (auto& [id, room] : followed.rooms) {
         if (!decided.contains(room.box.low) || !decided.contains(room.box.high)) continue;
         room.decided_cells = room.num_cells;
@@ -95,6 +106,8 @@ void cut_seen(FollowedMap& followed, const SegmentOptions& options, const Execut
     WindowCut cut = cut_submaps(followed, window, options, executor);
     fill_split_lines(followed, cut);
     take_over(followed, window, cut, update);
+    update.cells_read += cut.cells_read;
+    update_doors(followed, window.decided, options.rooms, executor, update.changes);
     followed.seen.clear();
 }
 

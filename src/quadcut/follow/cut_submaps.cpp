@@ -157,6 +157,7 @@ WindowCut cut_submaps(const FollowedMap& followed, const Window& window,
 
     WindowCut cut;
     cut.num_nodes = in_list.size();
+    cut.cells_read = window.states.values.size();
     cut.num_regions = submaps.pieces.count;
     cut.regions = Raster<std::uint32_t>(window.states.box(), kNotCut);
     for (std::size_t i = 0; i < cut.regions.values.size(); ++i) {

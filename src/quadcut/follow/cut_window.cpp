@@ -34,8 +34,9 @@ Raster<std::uint8_t> cells_to_cut(const Raster<CellState>& states, double cell_m
 }
 
 /// What the pieces on the edge have beyond it; those that are connected there are one region.
-void add_beyond(const FollowedMap& followed, const Window& window,
-                const Raster<std::uint32_t>& pieces, RegionGraph& regions) {
+/// Returns how many cells were looked at.
+std::size_t add_beyond(const FollowedMap& followed, const Window& window,
+                       const Raster<std::uint32_t>& pieces, RegionGraph& regions) {
     const std::vector<std::uint32_t> room_of =
         majority_rooms(pieces, regions.num_pieces(), window.rooms);
     std::map<std::uint32_t, std::vector<Cell>> on_edge;
@@ -48,9 +49,11 @@ void add_beyond(const FollowedMap& followed, const Window& window,
         seen[piece] = true;
         on_edge[room].push_back(pieces.cell(i));
     }
+    std::size_t cells_read = 0;
     for (const auto& [room, cells] : on_edge) {
         const Outside outside = look_outside(followed, window, room, cells, pieces);
-        const std::vector<Beyond> beyond = beyond_of(followed, window, room, outside);
+        cells_read += outside.cells_read;
+        const std::vector<Beyond> beyond = beyond_of(followed, window.states.box(), room, outside);
         // All groups first: what was joined gets no more.
         std::map<std::size_t, std::uint32_t> first;
         for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -64,11 +67,17 @@ void add_beyond(const FollowedMap& followed, const Window& window,
             if (a != b) regions.join(a, b);
         }
     }
+    return cells_read;
 }
 
 /// The window cut for itself; in its own cells.
-RoomsCut cut_alone(const FollowedMap& followed, const Window& window, const SegmentOptions& options,
-                   const Executor& executor) {
+struct Alone {
+    RoomsCut cut;
+    std::size_t cells_read = 0;
+};
+
+Alone cut_alone(const FollowedMap& followed, const Window& window, const SegmentOptions& options,
+                const Executor& executor) {
     const double resolution_m = followed.map.resolution_m();
     Layout layout = followed.cells.orientation();
     layout.box = window.states.box();
@@ -79,24 +88,24 @@ RoomsCut cut_alone(const FollowedMap& followed, const Window& window, const Segm
     const Raster<std::uint8_t> kept =
         cells_to_cut(window.states, followed.cell_m2(), options.rooms.min_component_m2);
     const auto free_laid = laid_out<std::uint8_t>(free, layout, 0);
+    Alone alone{{}, window.states.values.size()};
     const auto beyond = [&](const Raster<std::uint32_t>& laid_pieces, RegionGraph& regions) {
         Raster<std::uint32_t> pieces(layout.box);
         put_back(laid_pieces, layout, pieces);
-        add_beyond(followed, window, pieces, regions);
+        alone.cells_read += add_beyond(followed, window, pieces, regions);
     };
     StageClock clock;
     const RoomsCut laid =
         cut_into_rooms({laid_out<std::uint8_t>(kept, layout, 0), free_laid, resolution_m, beyond},
                        options.rooms, clock, executor);
-    RoomsCut cut{Raster<std::uint32_t>(layout.box),
-                 Raster<std::uint32_t>(layout.box),
-                 laid.num_pieces,
-                 Raster<float>(layout.box),
-                 {}};
-    put_back(laid.rooms, layout, cut.rooms);
-    put_back(laid.pieces, layout, cut.pieces);
-    put_back(laid.clearance_m, layout, cut.clearance_m);
-    return cut;
+    alone.cut.rooms = Raster<std::uint32_t>(layout.box);
+    alone.cut.pieces = Raster<std::uint32_t>(layout.box);
+    alone.cut.clearance_m = Raster<float>(layout.box);
+    alone.cut.num_pieces = laid.num_pieces;
+    put_back(laid.rooms, layout, alone.cut.rooms);
+    put_back(laid.pieces, layout, alone.cut.pieces);
+    put_back(laid.clearance_m, layout, alone.cut.clearance_m);
+    return alone;
 }
 
 /// The window in parts that are connected: of new regions where it is decided anew, and of rooms
@@ -181,6 +190,7 @@ void join_beyond(const FollowedMap& followed, const Window& window, const Parts&
     }
     for (const auto& [room, cells] : cells_of_room) {
         cut.outside[room] = look_outside(followed, window, room, cells, parts.labels);
+        cut.cells_read += cut.outside[room].cells_read;
     }
     std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> first;
     for (KeptPart& kept : cut.kept) {
@@ -215,10 +225,11 @@ std::vector<RoomOpening> find_openings(const Window& window, const Raster<float>
 
 WindowCut cut_window(const FollowedMap& followed, const Window& window,
                      const SegmentOptions& options, const Executor& executor) {
-    const RoomsCut anew = cut_alone(followed, window, options, executor);
+    const auto [anew, cells_read] = cut_alone(followed, window, options, executor);
+    WindowCut cut;
+    cut.cells_read = cells_read;
     const std::vector<std::uint8_t> is_decided = cells_decided(window, anew);
     const Parts parts = divide(window, anew, is_decided);
-    WindowCut cut;
     cut.num_nodes = anew.num_pieces;
     LabelSets sets;
     for (std::uint32_t part = 1; part <= parts.count; ++part) sets.add();

@@ -4,24 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
+#include "quadcut/follow/room_event.hpp"
 
 namespace quadcut {
-
-enum class RoomLife : std::uint8_t { born, grown, split, merged, retired };
-
-/// What happened to a room, and why.
-struct LifeEvent {
-    RoomLife life = RoomLife::born;
-    RoomId room{};
-    /// split: the room it was a part of. merged: the room it is a part of now.
-    RoomId other{};
-    std::string reason;
-};
 
 /// What is not as it was in a followed map; each once, in order.
 struct Changes {
@@ -58,7 +47,9 @@ struct FollowUpdate {
     std::size_t graph_nodes = 0;
     std::size_t num_rooms = 0;
     double relabelled_m2 = 0.0;
-    std::vector<LifeEvent> events;
+    /// Cells that were looked at to cut.
+    std::size_t cells_read = 0;
+    std::vector<RoomEvent> events;
     Changes changes;
 };
 

@@ -15,6 +15,7 @@
 #include "quadcut/follow/room_cells.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/tile.hpp"
+#include "quadcut/rooms/doors.hpp"
 
 namespace quadcut {
 
@@ -50,6 +51,7 @@ struct FollowedMap {
     /// By id.
     std::map<std::uint32_t, FollowedRoom> rooms;
     std::vector<RoomOpening> openings;
+    std::map<DoorId, PlacedDoor> doors;
     std::vector<SplitLine> split_lines;
     /// Holds all tiles that were written, in cells.
     Box written;
@@ -85,5 +87,11 @@ void set_room(FollowedMap& followed, Cell cell, std::uint32_t room, Changes& cha
 /// Takes note of tiles that were written: compares what is free in them with what was when rooms
 /// were last cut there.
 void note_written(FollowedMap& followed, const std::vector<Cell>& tiles, Changes& changes);
+
+/// The room at a point of the map frame; 0 = none. O(1).
+[[nodiscard]] RoomId room_at(const FollowedMap& followed, const Point& point);
+
+/// All tiles that were seen, and all rooms and doors that there are or were, as changes.
+[[nodiscard]] Changes everything_in(const FollowedMap& followed);
 
 }  // namespace quadcut

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/check_followed.hpp"
 #include "quadcut/follow/cut_again.hpp"
 #include "quadcut/follow/edits.hpp"
+#include "quadcut/follow/live_doors.hpp"
 #include "quadcut/follow/split_line.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
@@ -103,7 +105,8 @@ Reversal join(FollowedMap& followed, const Reversal& change, Reversal inverse,
     whole.box.include(ended.box);
     whole.announced_m2 += ended.announced_m2;
     followed.rooms.erase(from);
-    update.events.push_back({RoomLife::merged, change.other, change.room, "by hand"});
+    update.events.push_back(
+        {RoomChange::merged, change.other, change.room, inverse.settings[from].name, "by hand"});
     return inverse;
 }
 
@@ -133,6 +136,7 @@ Reversal part(FollowedMap& followed, const Reversal& change, Reversal inverse,
     if (begun == 0 || begun >= followed.next_id || followed.rooms.count(begun) != 0) {
         throw InputError("there cannot be a new " + name_of(change.other));
     }
+    require_in_map(followed, change.lines);
     const std::uint32_t from = holder_of_part(followed, change);
     FollowedRoom& whole = followed.rooms.at(from);
     if (whole.is_locked) {
@@ -168,7 +172,7 @@ Reversal part(FollowedMap& followed, const Reversal& change, Reversal inverse,
                                 change.lines.end());
     inverse.border = Border::join;
     inverse.lines = change.lines;
-    update.events.push_back({RoomLife::split, change.other, RoomId{from}, "by hand"});
+    update.events.push_back({RoomChange::split, change.other, RoomId{from}, {}, "by hand"});
     return inverse;
 }
 
@@ -185,6 +189,11 @@ Reversal apply(FollowedMap& followed, const Reversal& change, const FollowOption
     }
     if (change.border == Border::part) inverse = part(followed, change, std::move(inverse), update);
     if (change.border == Border::join) inverse = join(followed, change, std::move(inverse), update);
+    Box changed;
+    for (const Cell tile : update.changes.tiles) changed.include(cells_of_tiles({tile, tile}));
+    if (!changed.is_empty()) {
+        update_doors(followed, changed, options.segment.rooms, executor, update.changes);
+    }
     for (const auto& [id, settings] : change.settings) {
         const auto room = followed.rooms.find(id);
         if (room == followed.rooms.end()) continue;

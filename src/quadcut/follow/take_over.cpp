@@ -3,7 +3,6 @@
 #include "quadcut/follow/take_over.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -34,10 +33,6 @@ struct Names {
     /// The regions that have most of a room.
     std::map<std::uint32_t, std::uint32_t> heirs;
 };
-
-std::string square_metres(double area_m2) {
-    return std::to_string(static_cast<long>(std::lround(area_m2))) + " m^2";
-}
 
 /// Calls `visit(part)` for each part of a room that goes on outside, once a group.
 template <typename Visit>
@@ -103,10 +98,9 @@ Names name_regions(FollowedMap& followed, const Overlaps& overlaps, FollowUpdate
         const std::uint32_t room = names.room_of_region.back();
         const std::uint32_t parent = kin.holder != kNoKin ? rooms[kin.holder] : 0;
         if (parent != 0) names.parents[room] = parent;
-        update.events.push_back(
-            {parent == 0 ? RoomLife::born : RoomLife::split, RoomId{room}, RoomId{parent},
-             square_metres(region_cells[region] * followed.cell_m2()) +
-                 (parent == 0 ? " seen for the first time" : " behind a door")});
+        update.events.push_back(event_of(parent == 0 ? RoomChange::born : RoomChange::split,
+                                         RoomId{room}, RoomId{parent}, {},
+                                         region_cells[region] * followed.cell_m2()));
     }
     return names;
 }
@@ -195,16 +189,13 @@ std::map<std::uint32_t, FollowedRoom> rooms_after(const FollowedMap& followed, c
 }
 
 void end_room(FollowedMap& followed, std::uint32_t id, const Names& names, FollowUpdate& update) {
-    followed.rooms.erase(id);
     const auto heir = names.heirs.find(id);
-    if (heir == names.heirs.end()) {
-        update.events.push_back(
-            {RoomLife::retired, RoomId{id}, RoomId{}, "its floor is no longer free"});
-    } else {
-        update.events.push_back({RoomLife::merged, RoomId{id},
-                                 RoomId{names.room_of_region[heir->second]},
-                                 "nothing like a door is between them"});
-    }
+    const bool is_merged = heir != names.heirs.end();
+    update.events.push_back(
+        event_of(is_merged ? RoomChange::merged : RoomChange::retired, RoomId{id},
+                 is_merged ? RoomId{names.room_of_region[heir->second]} : RoomId{},
+                 followed.rooms.at(id).name, 0.0));
+    followed.rooms.erase(id);
 }
 
 void update_rooms(FollowedMap& followed, std::map<std::uint32_t, FollowedRoom> rooms,
@@ -218,7 +209,7 @@ void update_rooms(FollowedMap& followed, std::map<std::uint32_t, FollowedRoom> r
         if (room.announced_m2 == 0.0) room.announced_m2 = area_m2;
         if (area_m2 > kGrownShare * room.announced_m2 + kGrownM2) {
             update.events.push_back(
-                {RoomLife::grown, RoomId{id}, RoomId{},
+                {RoomChange::grown, RoomId{id}, RoomId{}, room.name,
                  "from " + square_metres(room.announced_m2) + " to " + square_metres(area_m2)});
             room.announced_m2 = area_m2;
         }

@@ -94,16 +94,18 @@ Tracked track(Segmentation segmentation, const EarlierRooms& earlier) {
             room.id = take_id(segmentation.next_id);
             room.name = default_name(room.kind, room.id);
         }
-        events.push_back({change, room.id, room.name, other});
+        events.push_back(event_of(change, room.id, other, room.name, room.area_m2));
     }
     for (Door& door : segmentation.doors) {
         for (RoomId* side : {&door.a, &door.b}) *side = rooms[index(*side) - 1].id;
     }
     for (std::size_t e = 0; e < earlier.rooms.size(); ++e) {
         if (was[e].same != kNoKin) continue;
+        const Room& room = earlier.rooms[e];
         const bool is_merged = was[e].holder != kNoKin;
-        events.push_back({is_merged ? RoomChange::merged : RoomChange::gone, earlier.rooms[e].id,
-                          earlier.rooms[e].name, is_merged ? rooms[was[e].holder].id : RoomId{}});
+        events.push_back(event_of(is_merged ? RoomChange::merged : RoomChange::retired, room.id,
+                                  is_merged ? rooms[was[e].holder].id : RoomId{}, room.name,
+                                  room.area_m2));
     }
     sort_by_id(segmentation);
     return {std::move(segmentation), std::move(events)};

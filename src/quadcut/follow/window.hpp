@@ -33,6 +33,8 @@ struct Outside {
     std::vector<std::size_t> num_cells;
     /// The cells of each; empty when there is one group only.
     std::vector<TileSet> groups;
+    /// That were looked at to find them.
+    std::size_t cells_read = 0;
 };
 
 /// A connected part of a room, seen in the window, that is not decided anew.
@@ -61,6 +63,8 @@ struct WindowCut {
     std::vector<RoomOpening> openings;
     /// The size of the graph that was cut.
     std::size_t num_nodes = 0;
+    /// In the window and, to see what is connected, outside.
+    std::size_t cells_read = 0;
 };
 
 /// What is known in a box.

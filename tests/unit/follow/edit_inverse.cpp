@@ -92,7 +92,7 @@ TEST(EditInverse, FloorSeenSinceAMergeGoesToTheRoomThatItTouches) {
     follower.update_cells(Raster<CellState>({250, 10}, 40, 100, CellState::free));
     ASSERT_EQ(follower.room_at({14.0, 3.0}), left);
     const Edited undone = follower.apply(merged.inverse);
-    EXPECT_EQ(undone.update.events.front().life, RoomLife::split);
+    EXPECT_EQ(undone.update.events.front().change, RoomChange::split);
     EXPECT_EQ(follower.room_at({2.0, 3.0}), left);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), right);
     EXPECT_EQ(follower.room_at({14.0, 3.0}), right);

@@ -87,7 +87,7 @@ TEST(FollowEdit, AMergeStaysMerged) {
     ASSERT_NE(left, right);
     const FollowUpdate merged = follower.edit(test::merge(left, right)).update;
     ASSERT_EQ(merged.events.size(), 1U);
-    EXPECT_EQ(merged.events.front().life, RoomLife::merged);
+    EXPECT_EQ(merged.events.front().change, RoomChange::merged);
     EXPECT_EQ(merged.events.front().room, right);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), left);
     cut_again(follower, CellState::occupied);
@@ -133,7 +133,7 @@ TEST(FollowEdit, ASplitLineStaysACut) {
     // The points are half a metre away from the walls.
     const FollowUpdate split = follower.edit(test::split({4.0, 1.0}, {4.0, 5.0})).update;
     ASSERT_EQ(split.events.size(), 1U);
-    EXPECT_EQ(split.events.front().life, RoomLife::split);
+    EXPECT_EQ(split.events.front().change, RoomChange::split);
     const RoomId part = split.events.front().room;
     EXPECT_EQ(split.events.front().other, hall);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), hall) << "the larger part keeps the id";
