@@ -70,7 +70,7 @@ struct FollowedMap {
     /// No room, and no door, has had this id or a higher one.
     std::uint32_t next_id = 1;
     std::uint32_t next_door_id = 1;
-    /// Rises with each update that changes anything.
+    /// Rises by one with each update.
     std::uint64_t revision = 0;
 
     [[nodiscard]] double cell_m2() const { return map.resolution_m() * map.resolution_m(); }

@@ -56,27 +56,24 @@ Follower::Follower(Follower&& other) noexcept = default;
 Follower& Follower::operator=(Follower&& other) noexcept = default;
 Follower::~Follower() = default;
 
-/// What all updates have in common.
+/// What all updates have in common; `work` says whether there was one.
 template <typename Work>
 FollowUpdate Follower::update(const Work& work) {
     FollowUpdate update;
     update.scan = state_->num_scans;
-    const std::size_t num_scans = state_->num_scans;
     const auto note = [&] {
         update.changes = tidied(std::move(update.changes));
-        // A scan is a change, though it shows nothing new.
-        const bool is_any = update.changes.size() > 0 || num_scans != state_->num_scans;
-        update.changes.revision = state_->revision += is_any ? 1 : 0;
+        update.changes.revision = ++state_->revision;
         if (update.changes.size() > 0) log_->add(update.changes);
     };
     try {
-        work(update);
+        if (work(update)) note();
     } catch (...) {
         // What was written before rooms could not be cut is there.
-        note();
+        if (update.changes.size() > 0) note();
         throw;
     }
-    note();
+    update.changes.revision = state_->revision;
     update.num_leaves = state_->map.num_leaves();
     update.num_rooms = state_->rooms.size();
     return update;
@@ -94,8 +91,10 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
         if (!change.written.empty()) {
             note_seen(*state_, options_.segment.preset, change.observed);
         }
-        if (!is_cut_due(*state_, options_)) return;
-        cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
+        if (is_cut_due(*state_, options_)) {
+            cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
+        }
+        return true;
     });
 }
 
@@ -116,18 +115,21 @@ FollowUpdate Follower::update_cells(const Raster<CellState>& patch) {
         note_written(*state_, change.written, update.changes);
         note_seen(*state_, options_.segment.preset, change.written);
         cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
+        return true;
     });
 }
 
 FollowUpdate Follower::finish() {
-    return update(
-        [&](FollowUpdate& update) { cut_again(*state_, options_, 0.0, executor_, update); });
+    return update([&](FollowUpdate& update) {
+        cut_again(*state_, options_, 0.0, executor_, update);
+        return true;
+    });
 }
 
 std::optional<FollowUpdate> Follower::refine() {
     bool is_any = false;
     const FollowUpdate done = update([&](FollowUpdate& update) {
-        is_any = refine_stalest(*state_, options_, kMinStale, executor_, update);
+        return is_any = refine_stalest(*state_, options_, kMinStale, executor_, update);
     });
     if (!is_any) return std::nullopt;
     return done;
@@ -139,6 +141,7 @@ Edited Follower::apply(const Reversal& reversal) {
     Edited done;
     done.update = update([&](FollowUpdate& update) {
         done.inverse = quadcut::apply(*state_, reversal, options_, executor_, update);
+        return true;
     });
     return done;
 }

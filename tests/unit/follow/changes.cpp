@@ -129,16 +129,21 @@ TEST(Changes, OfAnUpdateAreThoseSinceTheOneBefore) {
     EXPECT_EQ(update.changes.rooms.size(), 1U) << "the other room is as it was";
 }
 
-TEST(Changes, NothingNewIsNoRevision) {
+TEST(Changes, EachUpdateHasANumber) {
     Follower follower;
     follower.update_cells(test::hall_with_wall());
     follower.finish();
-    const std::uint64_t before = follower.state().revision;
-    EXPECT_EQ(follower.finish().changes.revision, before);
+    while (follower.refine()) {
+    }
+    const std::uint64_t refined = follower.state().revision;
+    EXPECT_FALSE(follower.refine().has_value());
+    EXPECT_EQ(follower.state().revision, refined) << "there was no update";
+    EXPECT_EQ(follower.finish().changes.revision, refined + 1);
+    EXPECT_EQ(follower.changes_since(refined).size(), 0U);
     const RoomId room{1};
-    EXPECT_EQ(follower.edit(test::lock(room)).update.changes.revision, before + 1);
-    EXPECT_EQ(follower.changes_since(before).rooms, std::vector{room});
-    EXPECT_TRUE(follower.changes_since(before).tiles.empty());
+    EXPECT_EQ(follower.edit(test::lock(room)).update.changes.revision, refined + 2);
+    EXPECT_EQ(follower.changes_since(refined).rooms, std::vector{room});
+    EXPECT_TRUE(follower.changes_since(refined).tiles.empty());
 }
 
 TEST(Changes, ARoomThatEndsIsAmongThem) {

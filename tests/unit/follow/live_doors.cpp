@@ -111,7 +111,7 @@ TEST(LiveDoors, OneThatMovesALittleIsTheSame) {
     ASSERT_EQ(follower.state().doors.size(), 1U);
     const auto before = *follower.state().doors.begin();
     const FollowUpdate update =
-        follower.update_cells(Raster<CellState>({100, 50}, 4, 3, CellState::occupied));
+        follower.update_cells(Raster<CellState>({100, 50}, 4, 6, CellState::occupied));
     ASSERT_EQ(follower.state().doors.size(), 1U);
     EXPECT_EQ(follower.state().doors.begin()->first, before.first);
     EXPECT_LT(follower.state().doors.begin()->second.door.width_m, before.second.door.width_m);

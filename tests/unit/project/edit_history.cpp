@@ -141,7 +141,8 @@ TEST(EditHistory, WhatCannotBeUndoneIsSaidAndNothingChanges) {
 std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     const auto path = two_rooms(folder);
     Database database(path, Access::write);
-    for (const char* const table : {"undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+    for (const char* const table :
+         {"door_lines", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
         database.run(std::string("DROP TABLE ") + table);
     }
     database.run(
@@ -154,6 +155,7 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     database.run(
         "INSERT INTO meta VALUES('resolution_m', 0.05), ('min_change_m2', 2.5), "
         "('max_wait_m2_scans', 100.0), ('first_cut_m2', 10.0), ('min_patch_m2', 0.05)");
+    database.run("DELETE FROM meta WHERE key IN ('next_door_id', 'revision')");
     database.run("PRAGMA user_version=1");
     return path;
 }
@@ -163,6 +165,7 @@ TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
     const auto path = project_of_version_1(folder);
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed));
     EXPECT_EQ(name_of(path, 1), "Kitchen");
+    EXPECT_EQ(ProjectFile(path, Access::read).follower({}).state().doors.size(), 1U);
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1);
     EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     static_cast<void>(Project::open(path, Access::write));
