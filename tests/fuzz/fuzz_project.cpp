@@ -18,6 +18,7 @@
 #include "project/project.hpp"
 #include "project/schema.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 // The bytes are a project file; or, when they are no database, changes to the rows of a good one,
 // which get further than damaged pages do.
@@ -38,9 +39,7 @@ constexpr std::int64_t kMaxTilesAcross = 256;
 /// Where the file is, gone at the end of the program.
 class Scratch {
 public:
-    Scratch()
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("quadcut_fuzz_project_" + std::to_string(getpid()))) {
+    Scratch() : folder_(memory() / ("quadcut_fuzz_project_" + std::to_string(getpid()))) {
         std::filesystem::create_directories(folder_);
     }
     Scratch(const Scratch&) = delete;
@@ -58,6 +57,13 @@ public:
     }
 
 private:
+    /// No disk is waited for, where there is such a folder.
+    static std::filesystem::path memory() {
+        const std::filesystem::path shared = "/dev/shm";
+        const bool is_there = access(shared.c_str(), W_OK) == 0;
+        return is_there ? shared : std::filesystem::temp_directory_path();
+    }
+
     std::filesystem::path folder_;
 };
 
@@ -170,7 +176,8 @@ void read_all(const Project& project) {
     const quadcut::Segmentation& rooms = building->rooms();
     if (rooms.rooms.size() != building->num_rooms()) __builtin_trap();
     for (const quadcut::Room& room : rooms.rooms) {
-        if (building->followed().count(static_cast<std::uint32_t>(room.id)) == 0) __builtin_trap();
+        if (building->followed()->rooms.count(static_cast<std::uint32_t>(room.id)) == 0)
+            __builtin_trap();
     }
     (void)building->place_of({2.0, 2.0});
     (void)project.history();
@@ -196,8 +203,9 @@ void change_all(Project& project) {
     attempt([&] { project.redo(); });
     attempt([&] { project.undo(); });
     attempt([&] { project.undo(); });
+    const std::shared_ptr<const quadcut::Snapshot> building = project.snapshot();
     std::vector<RoomId> rooms;
-    for (const auto& [id, room] : project.snapshot()->followed()) rooms.push_back(RoomId{id});
+    for (const auto& [id, room] : building->followed()->rooms) rooms.push_back(RoomId{id});
     for (const EditKind kind :
          {EditKind::merge, EditKind::rename, EditKind::unlock, EditKind::lock}) {
         if (rooms.empty()) break;

@@ -155,6 +155,13 @@ def write_legends():
     write("legend", "flow.yaml", yaml(more="format_version: 1\nnext_id: 12\nlabels:\n" + flow))
     write("legend", "block.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + block))
     write("legend", "empty.yaml", yaml(more="format_version: 1\nlabels: []\n"))
+    legend = yaml(more="format_version: 1\nlabels:\n" + flow + block).encode() + b"\0"
+    door = ('{"features": [{"properties": {"type": "door", "a": 1, "b": 65535, "width_m": 1.5,'
+            ' "room_a_width_m": 4, "room_b_width_m": 3.5, "confidence": 0.75},'
+            ' "geometry": {"coordinates": [[1, 2], [2.5, 2]]}}]}')
+    write("legend", "doors", legend + door.encode())
+    write("legend", "no_line", legend + door.replace('{"coordinates": ', '[').replace(']]}', ']]]').encode())
+    write("legend", "labels", legend + png(2, 2, 16, 0, [bytes([0, 0, 0, 1]), bytes([0, 7, 0, 1])]))
     write("legend", "twice.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + flow))
 
 

@@ -194,7 +194,8 @@ TEST(EditHistory, RowsThatCannotBeAreRefused) {
           "UPDATE edits SET other = 1", "UPDATE edits SET other = 60000",
           "UPDATE edits SET kind = NULL", "UPDATE edits SET kind = 'paint'",
           "UPDATE edits SET from_x = 1e300",
-          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)"}) {
+          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)",
+          "INSERT INTO undo_lines VALUES(1, 20, 20, 100000000, 20)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
         EXPECT_NE(error_of([&] { undo(path); }), "no error") << sql;
