@@ -110,12 +110,14 @@ int run(int argc, char** argv) {
     for (const std::string& name : names) {
         const std::vector<Scan> scans = io::read_carmen_log(shared_path("data/logs/" + name)).scans;
         std::printf("%s\n", name.c_str());
+        std::fflush(stdout);
         for (const std::size_t num_readers : {0U, 1U, 50U}) {
             Project project = Project::in_memory({});
             Json row = follow_beside(num_readers, scans, project);
             if (num_readers == 0) add_cost_at_end(project, row);
             row["input"] = name;
             rows.push_back(std::move(row));
+            std::fflush(stdout);
         }
     }
     write_results(output, "readers", std::move(rows));
