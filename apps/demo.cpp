@@ -141,7 +141,7 @@ void run(const Arguments& arguments) {
 
     clock.begin("simulate");
     const Simulation simulation = simulate(choice, progress);
-    const FollowOptions options;
+    FollowOptions options;
     const std::string name = "simulation, seed " + std::to_string(choice.seed);
     Followed followed = follow_scans(simulation.exploration.scans, options, name, clock, progress);
     Segmentation& rooms = followed.rooms;
@@ -150,8 +150,7 @@ void run(const Arguments& arguments) {
         score_against_truth(followed.building->map(), rooms, simulation.building);
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
-    SegmentOptions segment_options = options.segment;
-    io::RunInfo info = run_info_of(segment_options, {});
+    io::RunInfo info = run_info_of(options, {});
     info.input = name;
     write(output, simulation, followed, score, info);
 

@@ -26,6 +26,7 @@
 #include "project/building_at.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {
@@ -76,8 +77,8 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
         throw InputError(io::display_name(path) + ": has no map yet: no scan was followed");
     }
     const ScanPosition position = project.position().value_or(ScanPosition{});
-    SegmentOptions options = project.options().segment;
-    Segmentation rooms = followed_rooms(*building, options, warnings_of(position));
+    FollowOptions options = project.options();
+    Segmentation rooms = followed_rooms(*building, options.segment, warnings_of(position));
     print_warnings(rooms.report.warnings);
     io::RunInfo info = run_info_of(options, {});
     info.input = position.source;

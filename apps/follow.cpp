@@ -80,7 +80,7 @@ void run(const Arguments& arguments) {
     const io::SourceFacts& facts = source->facts();
 
     clock.begin("follow");
-    io::RunInfo info = run_info_of(options.segment, run_options);
+    io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
     info.input_hash = facts.content_hash;
     Project project = begin_project(arguments, options, run_options, facts);

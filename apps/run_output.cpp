@@ -6,6 +6,8 @@
 
 #include "formats/registry.hpp"
 #include "io/no_rooms_in_map.hpp"
+#include "io/option_text.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/version.hpp"
 
 namespace quadcut {
@@ -19,10 +21,17 @@ formats::Formats followed_formats() {
 
 }  // namespace
 
-io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run) {
+io::RunInfo run_info_of(FollowOptions& options, const RunOptions& run) {
     io::RunInfo info;
     info.version = kVersion;
-    info.options = option_fields(options);
+    info.options = option_fields(options.segment);
+    FollowOptions defaults;
+    const std::vector<OptionField> all = option_fields(options);
+    const std::vector<OptionField> by_default = option_fields(defaults);
+    for (std::size_t i = info.options.size(); i < all.size(); ++i) {
+        const bool is_changed = io::option_text(all[i]) != io::option_text(by_default[i]);
+        if (is_changed) info.options.push_back(all[i]);
+    }
     info.num_threads = static_cast<int>(run.num_threads);
     return info;
 }
@@ -32,7 +41,7 @@ std::vector<std::string> followed_files() { return formats::files_of(followed_fo
 Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
                             std::vector<std::string> warnings) {
     Segmentation rooms = building.rooms();
-    rooms.report.num_leaves = building.num_leaves();
+    rooms.report.num_leaves = building.followed()->map.num_leaves();
     rooms.report.warnings = std::move(warnings);
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options));

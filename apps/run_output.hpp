@@ -10,14 +10,14 @@
 #include "io/run_info.hpp"
 #include "project/snapshot.hpp"
 #include "quadcut/base/run_options.hpp"
-#include "quadcut/segment/options.hpp"
+#include "quadcut/follow/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
 
-/// What files say of a run: program, options, threads; without its input. `options` is read when
-/// the files are written.
-[[nodiscard]] io::RunInfo run_info_of(SegmentOptions& options, const RunOptions& run);
+/// What files say of a run: program, options, threads; without its input. Of the options of scans
+/// and following they name what is not as by default. `options` is read when they are written.
+[[nodiscard]] io::RunInfo run_info_of(FollowOptions& options, const RunOptions& run);
 
 /// The files that come of following a robot.
 [[nodiscard]] std::vector<std::string> followed_files();

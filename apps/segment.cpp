@@ -163,10 +163,10 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
 
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
-    SegmentOptions options;
-    IntegrateOptions integrate;
+    FollowOptions all_options;
+    SegmentOptions& options = all_options.segment;
     RunOptions run_options;
-    set_fields(arguments, option_fields(options, integrate, run_options));
+    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
     const RunDevice device(arguments, run_options.num_threads);
     run_options.accelerator = device.accelerator();
@@ -182,11 +182,12 @@ void run(const Arguments& arguments) {
     const std::optional<io::PreviousResult> previous = read_previous(arguments, clock);
     clock.begin("read");
     Input input = known.kind == io::FileKind::laser_log
-                      ? input_of_log(arguments, std::move(known.input), integrate, clock, progress)
+                      ? input_of_log(arguments, std::move(known.input), all_options.integrate,
+                                     clock, progress)
                       : input_of_map(arguments, std::move(known.input), files, output);
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
-    io::RunInfo info = run_info_of(options, run_options);
+    io::RunInfo info = run_info_of(all_options, run_options);
     Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));

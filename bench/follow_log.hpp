@@ -17,6 +17,7 @@
 #include "bench/id_switches.hpp"
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "reproduce/kd_tree.hpp"
@@ -110,10 +111,10 @@ inline FollowedLog follow_log_of(std::span<const Scan> scans, const FollowOption
         }
         if ((i + 1) % kWindow == 0) {
             const std::size_t switches =
-                count_id_switches(then, follower.room_cells(), follower.map().written_tiles());
+                count_id_switches(then, follower.state().cells, follower.map().written_tiles());
             result.num_switches += switches;
             result.switches.points.push_back({at, static_cast<double>(switches)});
-            then = follower.room_cells();
+            then = follower.state().cells;
         }
         if ((i + 1) * 10 >= (result.tenths.size() + 1) * scans.size() && result.tenths.size() < 9) {
             result.tenths.push_back(compare_with_batch(follower, way));

@@ -6,6 +6,7 @@
 //   measure_follow order [LOG ...]    sparse logs in another order
 //   measure_follow kills [N]          a followed project, killed so often (100)
 //   measure_follow locate             look-ups
+//   measure_follow ring [M ...]       a corridor around buildings of these lengths (60 120 240 480)
 // Without a word: all of it. With -o FILE.json: a file of results, too.
 #include <algorithm>
 #include <chrono>
@@ -223,8 +224,8 @@ double pq_in_another_order(const std::vector<Scan>& scans, std::uint64_t seed) {
     Raster<std::uint32_t> a(box);
     Raster<std::uint32_t> b(box);
     for (std::size_t i = 0; i < a.values.size(); ++i) {
-        a.values[i] = one.room_cells().room(a.cell(i));
-        b.values[i] = other.room_cells().room(b.cell(i));
+        a.values[i] = one.state().cells.room(a.cell(i));
+        b.values[i] = other.state().cells.room(b.cell(i));
     }
     return 100.0 * eval::score_rooms(as_label_image(a), as_label_image(b)).pq;
 }
@@ -379,6 +380,77 @@ void locate_often(Json& rows) {
     rows.push_back({{"part", "locate"}, {"ns_a_point", 1e6 * ms / static_cast<double>(kCount)}});
 }
 
+/// A building of so many metres by two thirds of it: a corridor of 2.5 m all around, with rooms of
+/// 5 m x 5 m on its outer side, each behind a door of 0.9 m.
+Raster<CellState> ring_building(std::int32_t length_m) {
+    constexpr std::int32_t kMetre = 20;
+    constexpr std::int32_t kWall = 4;
+    constexpr std::int32_t kRoom = 5 * kMetre;
+    constexpr std::int32_t kCorridor = 5 * kMetre / 2;
+    constexpr std::int32_t kDoor = 9 * kMetre / 10;
+    const std::int32_t width = length_m * kMetre;
+    const std::int32_t height = width * 2 / 3;
+    Raster<CellState> states({0, 0}, width, height, CellState::occupied);
+    const auto clear = [&](const Box& box) {
+        for_each_cell(box.intersected(states.box()),
+                      [&](Cell cell) { states.at(cell) = CellState::free; });
+    };
+    const Cell low{kRoom + 2 * kWall, kRoom + 2 * kWall};
+    const Cell high{width - 1 - low.x, height - 1 - low.y};
+    clear({low, {high.x, low.y + kCorridor - 1}});
+    clear({{low.x, high.y - kCorridor + 1}, high});
+    clear({low, {low.x + kCorridor - 1, high.y}});
+    clear({{high.x - kCorridor + 1, low.y}, high});
+    for (std::int32_t x = low.x; x + kRoom <= high.x; x += kRoom + kWall) {
+        for (const std::int32_t y : {kWall, height - kWall - kRoom}) {
+            clear({{x, y}, {x + kRoom - 1, y + kRoom - 1}});
+            const std::int32_t wall = y == kWall ? low.y - kWall : high.y + 1;
+            clear({{x + 2 * kMetre, wall}, {x + 2 * kMetre + kDoor - 1, wall + kWall - 1}});
+        }
+    }
+    return states;
+}
+
+/// What an update costs where the corridor goes around the whole building: one place of it is shut
+/// off and opened again, all around.
+void go_around(const std::vector<std::string>& lengths, Json& rows) {
+    for (const std::string& length : lengths) {
+        const auto length_m = static_cast<std::int32_t>(std::atol(length.c_str()));
+        Follower follower;
+        const Raster<CellState> states = ring_building(length_m);
+        follower.update_cells(states);
+        while (follower.refine()) {
+        }
+        std::vector<double> ms;
+        std::vector<double> cells;
+        const std::int32_t y = 5 * 20 + 8 + 20;
+        for (std::int32_t x = 200; x + 200 < states.width; x += states.width / 20) {
+            for (const CellState state : {CellState::occupied, CellState::free}) {
+                const FollowUpdate update =
+                    follower.update_cells(Raster<CellState>({x, y}, 12, 12, state));
+                ms.push_back(update.segment_ms);
+                cells.push_back(static_cast<double>(update.cells_read));
+            }
+        }
+        std::sort(ms.begin(), ms.end());
+        std::sort(cells.begin(), cells.end());
+        std::printf(
+            "ring of %d m x %d m, %zu rooms: an update looks at %.0f cells (most %.0f) in "
+            "%.1f ms (most %.1f)\n",
+            length_m, length_m * 2 / 3, follower.num_rooms(), quantile(cells, 0.5),
+            quantile(cells, 1.0), quantile(ms, 0.5), quantile(ms, 1.0));
+        std::fflush(stdout);
+        rows.push_back({{"part", "ring"},
+                        {"length_m", length_m},
+                        {"rooms", follower.num_rooms()},
+                        {"updates", ms.size()},
+                        {"cells_median", quantile(cells, 0.5)},
+                        {"cells_most", quantile(cells, 1.0)},
+                        {"update_median_ms", quantile(ms, 0.5)},
+                        {"update_most_ms", quantile(ms, 1.0)}});
+    }
+}
+
 int run(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     std::string output;
@@ -396,6 +468,9 @@ int run(int argc, char** argv) {
     };
     Json rows = Json::array();
     if (what.empty() || what == "locate") locate_often(rows);
+    if (what.empty() || what == "ring") {
+        go_around(rest.empty() ? std::vector<std::string>{"60", "120", "240", "480"} : rest, rows);
+    }
     if (what.empty() || what == "buildings") follow_buildings(number(50), rows);
     if (what.empty() || what == "order") follow_in_another_order(rest, rows);
     if (what.empty() || what == "logs") follow_logs(rest, rows);

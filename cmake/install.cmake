@@ -16,6 +16,7 @@ if(NOT QUADCUT_ONLY_CORE)
     install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindLibYaml.cmake DESTINATION ${package_dir})
 endif()
 
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # The public headers, and those of the core, which they include.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/quadcut/ DESTINATION ${headers_dir}
     FILES_MATCHING PATTERN *.hpp ${headers_left_out})

@@ -4,7 +4,8 @@
 
 #include <quadcut/version.hpp>
 
-static_assert(QUADCUT_VERSION_MAJOR == 0 && QUADCUT_VERSION_MINOR == 2);
+#if QUADCUT_VERSION_MAJOR == 0 && QUADCUT_VERSION_MINOR < 2
+#error "this needs quadcut 0.2"
+#endif
 
 int main() { std::cout << "quadcut " << quadcut::kVersion << '\n'; }
-// Prints: quadcut 0.2.0

@@ -46,7 +46,7 @@ std::string to_json(const Result& result) {
     stages_ms.emplace_back("write", result.elapsed_ms());
     io::JsonWriter json;
     json.begin_object(io::JsonLayout::lines);
-    json.key("format_version").integer(io::kFormatVersion);
+    json.key("format_version").integer(io::kReportVersion);
     json.key("version").text(info.version);
     json.key("input").text(info.input);
     json.key("input_hash").text(io::hash_text(info.input_hash));

@@ -9,19 +9,12 @@
 namespace quadcut::io {
 namespace {
 
-/// How a change is called.
-struct Wording {
-    RoomChange change;
-    const char* key;
-    const char* text;
-    /// Between the room and the other one.
-    const char* other;
-};
+constexpr std::array<const char*, 6> kNames{"kept", "born", "grown", "split", "merged", "retired"};
 
-constexpr std::array<Wording, 4> kWordings{{{RoomChange::born, "new", "new", ""},
-                                            {RoomChange::split, "split", "split off", "from"},
-                                            {RoomChange::merged, "merged", "merged", "into"},
-                                            {RoomChange::gone, "gone", "gone", ""}}};
+/// Between the room and the other one.
+const char* preposition_of(RoomChange change) {
+    return change == RoomChange::split ? "from" : "into";
+}
 
 std::size_t count(std::span<const RoomEvent> events, RoomChange change) {
     return static_cast<std::size_t>(
@@ -31,19 +24,24 @@ std::size_t count(std::span<const RoomEvent> events, RoomChange change) {
 
 }  // namespace
 
+const char* name_of(RoomChange change) { return kNames.at(static_cast<std::size_t>(change)); }
+
+void write_event(JsonWriter& json, const RoomEvent& event) {
+    json.begin_object().key("event").text(name_of(event.change));
+    json.key("room").integer(index(event.room));
+    if (!event.name.empty()) json.key("name").text(event.name);
+    if (event.other != RoomId{}) {
+        json.key(preposition_of(event.change)).integer(index(event.other));
+    }
+    json.key("reason").text(event.reason).end_object();
+}
+
 void write_events(JsonWriter& json, std::span<const RoomEvent> events) {
     json.begin_object(JsonLayout::lines);
     json.key("kept").integer(count(events, RoomChange::kept));
     json.key("events").begin_array(JsonLayout::lines);
     for (const RoomEvent& event : events) {
-        const auto* const wording =
-            std::find_if(kWordings.begin(), kWordings.end(),
-                         [&](const Wording& one) { return one.change == event.change; });
-        if (wording == kWordings.end()) continue;
-        json.begin_object().key("event").text(wording->key);
-        json.key("room").integer(index(event.room)).key("name").text(event.name);
-        if (event.other != RoomId{}) json.key(wording->other).integer(index(event.other));
-        json.end_object();
+        if (event.change != RoomChange::kept) write_event(json, event);
     }
     json.end_array().end_object();
 }
@@ -52,13 +50,14 @@ std::string events_text(std::span<const RoomEvent> events) {
     constexpr std::size_t kMostNamed = 8;
     const std::size_t num_kept = count(events, RoomChange::kept);
     std::string text = std::to_string(num_kept) + (num_kept == 1 ? " room kept" : " rooms kept");
-    for (const Wording& wording : kWordings) {
-        const std::size_t num_rooms = count(events, wording.change);
+    for (const RoomChange change : {RoomChange::born, RoomChange::grown, RoomChange::split,
+                                    RoomChange::merged, RoomChange::retired}) {
+        const std::size_t num_rooms = count(events, change);
         if (num_rooms == 0) continue;
-        text += ", " + std::to_string(num_rooms) + " " + wording.text + " (";
+        text += ", " + std::to_string(num_rooms) + " " + name_of(change) + " (";
         std::size_t num_named = 0;
         for (const RoomEvent& event : events) {
-            if (event.change != wording.change) continue;
+            if (event.change != change) continue;
             if (num_named > 0) text += ", ";
             if (num_named++ == kMostNamed) {
                 text += "...";
@@ -66,7 +65,8 @@ std::string events_text(std::span<const RoomEvent> events) {
             }
             text += std::to_string(index(event.room));
             if (event.other == RoomId{}) continue;
-            text += std::string(" ") + wording.other + " " + std::to_string(index(event.other));
+            text += std::string(" ") + preposition_of(change) + " " +
+                    std::to_string(index(event.other));
         }
         text += ")";
     }

@@ -3,23 +3,9 @@
 #include "io/updates.hpp"
 
 #include "io/json_writer.hpp"
+#include "io/room_events.hpp"
 
 namespace quadcut::io {
-const char* name_of(RoomLife life) {
-    switch (life) {
-        case RoomLife::born:
-            return "born";
-        case RoomLife::grown:
-            return "grown";
-        case RoomLife::split:
-            return "split";
-        case RoomLife::merged:
-            return "merged";
-        case RoomLife::retired:
-            return "retired";
-    }
-    return "";
-}
 
 std::string to_json_line(const FollowUpdate& update) {
     JsonWriter json;
@@ -34,15 +20,9 @@ std::string to_json_line(const FollowUpdate& update) {
     json.key("graph_nodes").integer(update.graph_nodes);
     json.key("rooms").integer(update.num_rooms);
     json.key("relabelled_m2").number(update.relabelled_m2);
+    json.key("revision").integer(update.changes.revision);
     json.key("events").begin_array();
-    for (const LifeEvent& event : update.events) {
-        json.begin_object().key("event").text(name_of(event.life));
-        json.key("room").integer(index(event.room));
-        if (event.other != RoomId{}) {
-            json.key(event.life == RoomLife::split ? "from" : "into").integer(index(event.other));
-        }
-        json.key("reason").text(event.reason).end_object();
-    }
+    for (const RoomEvent& event : update.events) write_event(json, event);
     json.end_array().end_object();
     return json.finish();
 }

@@ -4,12 +4,9 @@
 
 #include <string>
 
-#include "quadcut/follow/follower.hpp"
+#include "quadcut/follow/follow_update.hpp"
 
 namespace quadcut::io {
-
-/// born, grown, split, merged, retired
-[[nodiscard]] const char* name_of(RoomLife life);
 
 /// One line of updates.jsonl, with its line end.
 [[nodiscard]] std::string to_json_line(const FollowUpdate& update);

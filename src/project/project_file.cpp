@@ -11,7 +11,7 @@
 
 #include "io/file.hpp"
 #include "io/option_text.hpp"
-#include "io/updates.hpp"
+#include "io/room_events.hpp"
 #include "project/new_file.hpp"
 #include "project/project_rows.hpp"
 #include "project/schema.hpp"
@@ -102,7 +102,7 @@ ProjectFile ProjectFile::in_memory(const std::filesystem::path& name, const Foll
     for (const Table& table : tables()) database.run(std::string(table.sql));
     write_options(database, options);
     write_progress(database, {position});
-    write_state(database, FollowerState{});
+    write_state(database, FollowedMap(options.resolution_m), {});
     database.run("PRAGMA application_id=" + std::to_string(kApplicationId));
     database.run("PRAGMA user_version=" + std::to_string(kFormatVersion));
     database.run("COMMIT");
@@ -206,7 +206,7 @@ void ProjectFile::read_progress() {
 
 Follower ProjectFile::follower(const RunOptions& run) const {
     try {
-        return Follower(options_, read_state(database_), run);
+        return Follower(options_, read_state(database_, options_), run);
     } catch (const InputError& error) {
         const std::string name = io::display_name(database_.path());
         const std::string what = error.what();
@@ -247,11 +247,10 @@ void ProjectFile::set_state(const EditRecord& record, const Reversal& inverse) {
     write([&] { write_inverse(database_, record.number, record.state, inverse); });
 }
 
-void ProjectFile::save(const FollowerState& changes, const Unsaved& unsaved,
-                       const Progress& progress) {
+void ProjectFile::save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress) {
     write([&] {
         write_unsaved(unsaved);
-        write_state(database_, changes);
+        write_state(database_, state, unsaved.tiles);
         write_progress(database_, progress);
         database_.run("COMMIT");
         progress_ = progress;
@@ -268,12 +267,12 @@ void ProjectFile::write_unsaved(const Unsaved& unsaved) {
     }
     Statement event(database_,
                     "INSERT INTO lineage(scan, event, room, other, reason) VALUES(?, ?, ?, ?, ?)");
-    for (const auto& [scan, life] : unsaved.events) {
+    for (const auto& [scan, one] : unsaved.events) {
         event.bind(1, static_cast<std::int64_t>(scan))
-            .bind(2, std::string_view(io::name_of(life.life)))
-            .bind(3, static_cast<std::int64_t>(index(life.room)))
-            .bind(4, static_cast<std::int64_t>(index(life.other)))
-            .bind(5, std::string_view(life.reason))
+            .bind(2, std::string_view(io::name_of(one.change)))
+            .bind(3, static_cast<std::int64_t>(index(one.room)))
+            .bind(4, static_cast<std::int64_t>(index(one.other)))
+            .bind(5, std::string_view(one.reason))
             .run();
     }
 }

@@ -29,9 +29,11 @@ struct Progress {
 
 /// What has come since the last save.
 struct Unsaved {
+    /// Of the map.
+    std::vector<Cell> tiles;
     /// Lines of updates.jsonl.
     std::string lines;
-    std::vector<std::pair<std::size_t, LifeEvent>> events;
+    std::vector<std::pair<std::size_t, RoomEvent>> events;
 };
 
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
@@ -76,7 +78,7 @@ public:
     void set_state(const EditRecord& record, const Reversal& inverse);
     /// Writes all that has changed since the last save; after a write that has failed, none can be
     /// made. O(changes).
-    void save(const FollowerState& changes, const Unsaved& unsaved, const Progress& progress);
+    void save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress);
 
     /// What a file of this project holds, as it was last saved.
     [[nodiscard]] std::string file_bytes() const;

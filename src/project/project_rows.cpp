@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "io/file.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/check_followed.hpp"
+#include "quadcut/follow/live_doors.hpp"
 
 namespace quadcut::project {
 namespace {
@@ -76,21 +80,21 @@ void read_rooms(const Database& database, const std::string& bytes, RoomTile& ti
     }
 }
 
-void write_tiles(const Database& database, const FollowerState& state) {
+void write_tiles(const Database& database, const FollowedMap& state, std::span<const Cell> tiles) {
     Statement insert(database, "INSERT OR REPLACE INTO tiles VALUES(?, ?, ?, ?, ?)");
-    for (const FollowedTile& tile : state.tiles) {
-        const std::string log_odds = bytes_of(tile.log_odds);
-        const std::string rooms = bytes_of(tile.rooms.rooms);
-        insert.bind(1, std::int64_t{tile.tile.x})
-            .bind(2, std::int64_t{tile.tile.y})
-            .bind_bytes(3, log_odds)
+    for (const Cell tile : tiles) {
+        const RoomTile& cells = state.cells.tile(tile);
+        const std::string log_odds = bytes_of(state.map.tile(tile));
+        const std::string rooms = bytes_of(cells.rooms);
+        bind_cell(insert, 1, tile);
+        insert.bind_bytes(3, log_odds)
             .bind_bytes(4, rooms)
-            .bind(5, static_cast<std::int64_t>(tile.rooms.cut_free))
+            .bind(5, static_cast<std::int64_t>(cells.cut_free))
             .run();
     }
 }
 
-void write_rooms(const Database& database, const FollowerState& state, double cell_m2) {
+void write_rooms(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM rooms").run();
     Statement insert(database, "INSERT INTO rooms VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const auto& [id, room] : state.rooms) {
@@ -98,7 +102,7 @@ void write_rooms(const Database& database, const FollowerState& state, double ce
             .bind(2, std::string_view(room.name))
             .bind(3, std::int64_t{room.merge_group})
             .bind(4, std::int64_t{room.is_locked})
-            .bind(5, static_cast<double>(room.num_cells) * cell_m2)
+            .bind(5, static_cast<double>(room.num_cells) * state.cell_m2())
             .bind(6, room.peak_m);
         bind_cell(insert, 7, room.box.low);
         bind_cell(insert, 9, room.box.high);
@@ -109,24 +113,46 @@ void write_rooms(const Database& database, const FollowerState& state, double ce
     }
 }
 
-void write_doors(const Database& database, const FollowerState& state) {
+void write_doors(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM doors").run();
     Statement insert(database,
                      "INSERT INTO doors(room_a, room_b, ax, ay, bx, by, clearance_m) "
                      "VALUES(?, ?, ?, ?, ?, ?, ?)");
-    for (const LocalOpening& opening : state.openings) {
-        insert.bind(1, std::int64_t{opening.room_a}).bind(2, std::int64_t{opening.room_b});
+    for (const RoomOpening& opening : state.openings) {
+        insert.bind(1, std::int64_t{state.cells.room(opening.a)})
+            .bind(2, std::int64_t{state.cells.room(opening.b)});
         bind_cell(insert, 3, opening.a);
         bind_cell(insert, 5, opening.b);
         insert.bind(7, static_cast<double>(opening.clearance_m)).run();
     }
 }
 
-void write_rest(const Database& database, const FollowerState& state) {
+void write_door_lines(const Database& database, const FollowedMap& state) {
+    Statement(database, "DELETE FROM door_lines").run();
+    Statement insert(database,
+                     "INSERT INTO door_lines VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const auto& [id, placed] : state.doors) {
+        const Door& door = placed.door;
+        insert.bind(1, std::int64_t{static_cast<std::uint32_t>(id)});
+        bind_cell(insert, 2, placed.a);
+        bind_cell(insert, 4, placed.b);
+        insert.bind(6, door.jamb_1.x)
+            .bind(7, door.jamb_1.y)
+            .bind(8, door.jamb_2.x)
+            .bind(9, door.jamb_2.y)
+            .bind(10, door.width_m)
+            .bind(11, door.room_a_width_m)
+            .bind(12, door.room_b_width_m)
+            .bind(13, door.confidence)
+            .run();
+    }
+}
+
+void write_rest(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM changes").run();
     Statement change(database, "INSERT INTO changes VALUES(?, ?, ?)");
     for (const auto& [tile, count] : state.changed_tiles) {
-        bind_cell(change, 1, tile);
+        bind_cell(change, 1, {tile.first, tile.second});
         change.bind(3, signed_count(count)).run();
     }
     Statement(database, "DELETE FROM seen").run();
@@ -144,9 +170,11 @@ void write_rest(const Database& database, const FollowerState& state) {
     const auto write = [&](std::string_view key, std::int64_t value) {
         meta.bind(1, key).bind(2, value).run();
     };
-    write("root_level", state.root ? state.root->level : 0);
-    write("root_x", state.root ? state.root->lower_left.x : 0);
-    write("root_y", state.root ? state.root->lower_left.y : 0);
+    const bool is_placed = state.map.is_placed();
+    const Root& root = state.map.root();
+    write("root_level", is_placed ? root.level : 0);
+    write("root_x", is_placed ? root.lower_left.x : 0);
+    write("root_y", is_placed ? root.lower_left.y : 0);
     write("low_x", state.written.low.x);
     write("low_y", state.written.low.y);
     write("high_x", state.written.high.x);
@@ -155,6 +183,16 @@ void write_rest(const Database& database, const FollowerState& state) {
     write("next_id", state.next_id);
     write("num_left_over", signed_count(state.num_left_over));
     write("cut_at", signed_count(state.cut_at));
+    write("next_door_id", state.next_door_id);
+    write("revision", static_cast<std::int64_t>(state.revision));
+}
+
+/// What projects before version 3 do not have.
+std::int64_t read_number_or(const Database& database, std::string_view key,
+                            std::int64_t otherwise) {
+    Statement row(database, "SELECT value FROM meta WHERE key = ?");
+    row.bind(1, key);
+    return row.step() ? row.integer(0, 0, kMaxCount) : otherwise;
 }
 
 std::map<std::string, std::int64_t> read_numbers(const Database& database) {
@@ -169,10 +207,13 @@ std::map<std::string, std::int64_t> read_numbers(const Database& database) {
         }
         numbers[key] = row.integer(0, -4 * kMaxCoordinate, kMaxCount);
     }
+    numbers["next_door_id"] = read_number_or(database, "next_door_id", 1);
+    numbers["revision"] = read_number_or(database, "revision", 0);
     return numbers;
 }
 
-void read_meta(const Database& database, FollowerState& state) {
+/// Numbers, and where the map's tree stands.
+FollowedMap read_meta(const Database& database, double resolution_m) {
     const std::map<std::string, std::int64_t> numbers = read_numbers(database);
     const auto number = [&](const char* key, std::int64_t low, std::int64_t high) {
         const std::int64_t value = numbers.at(key);
@@ -188,11 +229,12 @@ void read_meta(const Database& database, FollowerState& state) {
     const auto count = [&](const char* key) {
         return static_cast<std::size_t>(number(key, 0, kMaxCount));
     };
+    FollowedMap state(resolution_m);
     const auto level = static_cast<std::uint8_t>(number("root_level", 0, 30));
     if (level > 0) {
-        state.root = Root{
-            {coordinate("root_x", 4 * kMaxCoordinate), coordinate("root_y", 4 * kMaxCoordinate)},
-            level};
+        const Cell low{coordinate("root_x", 4 * kMaxCoordinate),
+                       coordinate("root_y", 4 * kMaxCoordinate)};
+        state.map = OccupancyMap(resolution_m, {}, Root{low, level});
     }
     state.written = {{coordinate("low_x", kMaxCoordinate), coordinate("low_y", kMaxCoordinate)},
                      {coordinate("high_x", kMaxCoordinate), coordinate("high_y", kMaxCoordinate)}};
@@ -200,12 +242,15 @@ void read_meta(const Database& database, FollowerState& state) {
     state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
     state.num_left_over = count("num_left_over");
     state.cut_at = count("cut_at");
+    state.next_door_id = static_cast<std::uint32_t>(number("next_door_id", 1, kMaxRoom));
+    state.revision = static_cast<std::uint64_t>(number("revision", 0, kMaxCount));
+    return state;
 }
 
-void read_rooms_table(const Database& database, FollowerState& state) {
+void read_rooms_table(const Database& database, FollowedMap& state) {
     Statement row(database,
                   "SELECT id, name, merge_group, locked, peak_m, low_x, low_y, high_x, high_y, "
-                  "announced_m2, decided_cells, next_block FROM rooms ORDER BY id");
+                  "announced_m2, decided_cells, next_block, area_m2 FROM rooms ORDER BY id");
     while (row.step()) {
         FollowedRoom room;
         room.name = row.text(1);
@@ -216,24 +261,45 @@ void read_rooms_table(const Database& database, FollowerState& state) {
         room.announced_m2 = row.number(9);
         room.decided_cells = static_cast<std::size_t>(row.integer(10, 0, kMaxCount));
         room.next_block = static_cast<std::size_t>(row.integer(11, 0, kMaxCount));
+        const double num_cells = std::round(row.number(12) / state.cell_m2());
+        room.num_cells = static_cast<std::size_t>(std::clamp(num_cells, 0.0, 1e15));
         state.rooms[static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))] = room;
     }
 }
 
-void read_lists(const Database& database, FollowerState& state) {
-    Statement door(database,
-                   "SELECT ax, ay, bx, by, clearance_m, room_a, room_b FROM doors ORDER BY seq");
+void read_door_lines(const Database& database, FollowedMap& state) {
+    Statement row(database,
+                  "SELECT id, ax, ay, bx, by, x1, y1, x2, y2, width_m, room_a_width_m, "
+                  "room_b_width_m, confidence FROM door_lines ORDER BY id");
+    while (row.step()) {
+        PlacedDoor placed{{}, cell_at(row, 1), cell_at(row, 3)};
+        placed.door.a = RoomId{state.cells.room(placed.a)};
+        placed.door.b = RoomId{state.cells.room(placed.b)};
+        placed.door.jamb_1 = {row.number(5), row.number(6)};
+        placed.door.jamb_2 = {row.number(7), row.number(8)};
+        placed.door.width_m = row.number(9);
+        placed.door.room_a_width_m = row.number(10);
+        placed.door.room_b_width_m = row.number(11);
+        placed.door.confidence = row.number(12);
+        state.doors[DoorId{static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom))}] = placed;
+    }
+}
+
+void read_lists(const Database& database, FollowedMap& state) {
+    Statement door(database, "SELECT ax, ay, bx, by, clearance_m FROM doors ORDER BY seq");
     while (door.step()) {
         state.openings.push_back({cell_at(door, 0), cell_at(door, 2),
-                                  static_cast<float>(std::clamp(door.number(4), 0.0, 1e6)),
-                                  static_cast<std::uint32_t>(door.integer(5, 0, kMaxRoom)),
-                                  static_cast<std::uint32_t>(door.integer(6, 0, kMaxRoom))});
+                                  static_cast<float>(std::clamp(door.number(4), 0.0, 1e6))});
     }
     Statement change(database, "SELECT x, y, cells FROM changes ORDER BY x, y");
     while (change.step()) {
-        state.changed_tiles.emplace_back(
-            tile_at(change, 0),
-            static_cast<std::size_t>(change.integer(2, 1, std::int64_t{kTileCells})));
+        const Cell tile = tile_at(change, 0);
+        const auto count = static_cast<std::size_t>(change.integer(2, 1, std::int64_t{kTileCells}));
+        state.num_changed += count;
+        if (state.changed_tiles.emplace(std::pair{tile.x, tile.y}, count).second) continue;
+        throw InputError(io::display_name(database.path()) + ": table changes: tile (" +
+                         std::to_string(tile.x) + ", " + std::to_string(tile.y) +
+                         ") is there twice");
     }
     Statement seen(database, "SELECT room FROM seen");
     while (seen.step()) {
@@ -254,27 +320,43 @@ Cell cell_at(const Statement& row, int column) {
             static_cast<std::int32_t>(row.integer(column + 1, -kMaxCoordinate, kMaxCoordinate))};
 }
 
-void write_state(const Database& database, const FollowerState& state) {
-    write_tiles(database, state);
-    write_rooms(database, state, state.cell_m2);
+void write_state(const Database& database, const FollowedMap& state, std::span<const Cell> tiles) {
+    write_tiles(database, state, tiles);
+    write_rooms(database, state);
     write_doors(database, state);
+    write_door_lines(database, state);
     write_rest(database, state);
 }
 
-FollowerState read_state(const Database& database) {
-    FollowerState state;
-    read_meta(database, state);
+FollowedMap read_state(const Database& database, const FollowOptions& options) {
+    FollowedMap state = read_meta(database, options.resolution_m);
+    require_room_for(state, {});
     read_rooms_table(database, state);
     read_lists(database, state);
+    const bool is_placed = state.map.is_placed();
+    const Root root = state.map.root();
     Statement row(database, "SELECT x, y, log_odds, rooms, cut_free FROM tiles ORDER BY y, x");
     while (row.step()) {
-        FollowedTile tile{tile_at(row, 0), {}, {}};
-        read_log_odds(database, row.bytes(2), tile.log_odds);
-        read_rooms(database, row.bytes(3), tile.rooms);
-        tile.rooms.cut_free = static_cast<std::uint64_t>(row.integer(
+        Tile log_odds;
+        RoomTile rooms;
+        read_log_odds(database, row.bytes(2), log_odds);
+        read_rooms(database, row.bytes(3), rooms);
+        rooms.cut_free = static_cast<std::uint64_t>(row.integer(
             4, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
-        state.tiles.push_back(tile);
+        add_tile(state, tile_at(row, 0), log_odds, rooms);
     }
+    state.map.commit();
+    if (is_placed && state.map.root() != root) throw InputError("tiles lie outside of the map");
+    // Who listens and knows of no revision has seen nothing of this.
+    if (is_placed && state.revision == 0) state.revision = 1;
+    if (read_number_or(database, "next_door_id", 0) != 0) {
+        read_door_lines(database, state);
+        return state;
+    }
+    // Before version 3 doors were not kept.
+    check(state);
+    Changes changes;
+    update_doors(state, state.written, options.segment.rooms, {}, changes);
     return state;
 }
 

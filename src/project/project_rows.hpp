@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "project/database.hpp"
-#include "quadcut/follow/follower_state.hpp"
+#include "quadcut/follow/followed_map.hpp"
+#include "quadcut/follow/options.hpp"
 
 namespace quadcut::project {
 
@@ -17,10 +19,10 @@ inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
 /// Binds a cell's x at a place and its y at the next.
 void bind_cell(Statement& statement, int place, Cell cell);
 
-/// Writes what a follower remembers: tiles are added to those that are there, all else replaces
-/// what was. @pre a transaction is open.
-void write_state(const Database& database, const FollowerState& state);
-/// Reads it again, with all tiles. Throws InputError for rows that cannot be.
-[[nodiscard]] FollowerState read_state(const Database& database);
+/// Writes all that is known but tiles, in place of what was, and these tiles. @pre a transaction is
+/// open.
+void write_state(const Database& database, const FollowedMap& state, std::span<const Cell> tiles);
+/// Reads it again. Throws InputError for rows that cannot be.
+[[nodiscard]] FollowedMap read_state(const Database& database, const FollowOptions& options);
 
 }  // namespace quadcut::project

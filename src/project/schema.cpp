@@ -7,8 +7,13 @@
 namespace quadcut::project {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 15> kTables{{
+    static constexpr std::array<Table, 16> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
+        {"door_lines",
+         "CREATE TABLE door_lines(id INTEGER PRIMARY KEY, ax INTEGER, ay INTEGER, bx INTEGER, "
+         "by INTEGER, x1 REAL, y1 REAL, x2 REAL, y2 REAL, width_m REAL, room_a_width_m REAL, "
+         "room_b_width_m REAL, confidence REAL)",
+         3},
         {"doors",
          "CREATE TABLE doors(seq INTEGER PRIMARY KEY, room_a INTEGER, room_b INTEGER, "
          "ax INTEGER, ay INTEGER, bx INTEGER, by INTEGER, clearance_m REAL)"},

@@ -84,9 +84,8 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
         "Laser scans, the graph G, the quadtree and the submaps: five inner ones of high cohesion "
         "and low coupling. Inside and outside are not told apart, so the outside is divided, too.";
     figure.setting =
-        "The simulated workplace on cells of 10 cm. Only seen cells are free; the last "
-        "picture takes all that is not occupied for free, as the paper's Algorithm 1 "
-        "does.";
+        "The simulated workplace on cells of 10 cm. Only seen cells are free; the last picture "
+        "takes all that is not occupied for free, as the paper's Algorithm 1 does.";
     figure.pictures = {
         scans_picture("fig11_scans.png", world.scans, map, "(a) Laser scans and the robot's way"),
         quadtree_picture("fig11_quadtree.png", map, "The quadtree: its leaves"),

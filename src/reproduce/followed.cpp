@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "quadcut/follow/followed_map.hpp"
 #include "reproduce/partition.hpp"
 
 namespace quadcut::reproduce {

@@ -7,12 +7,9 @@
 #include <functional>
 #include <vector>
 
-namespace quadcut {
+#include "quadcut/base/stage_clock.hpp"
 
-inline double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
+namespace quadcut {
 
 template <typename Work>
 double elapsed_ms(const Work& work) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "quadcut/version.hpp"
 #include "tests/e2e/program.hpp"
 
 namespace quadcut::test {
@@ -17,7 +18,7 @@ TEST(CommandLine, Version) {
     for (const std::string word : {"version", "--version"}) {
         const Outcome outcome = run_quadcut({word});
         EXPECT_EQ(outcome.exit_code, 0);
-        EXPECT_EQ(outcome.out, "quadcut 0.1.0\n");
+        EXPECT_EQ(outcome.out, std::string("quadcut ") + kVersion + "\n");
     }
 }
 

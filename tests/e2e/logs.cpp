@@ -72,6 +72,12 @@ TEST(MapOfLog, OptionsOfScansCount) {
         return nlohmann::json::parse(run_quadcut(command).out).at("free_m2").get<double>();
     };
     EXPECT_LT(free_m2({"--set", "scan.max_range=1"}), 0.3 * free_m2({}));
+    ASSERT_EQ(
+        run_quadcut({"segment", log, "-o", folder / "rooms", "--set", "scan.miss=-2"}).exit_code,
+        0);
+    const auto report = nlohmann::json::parse(read_bytes(folder / "rooms/report.json"));
+    EXPECT_EQ(report.at("options").at("scan.miss"), -2);
+    EXPECT_FALSE(report.at("options").contains("scan.hit"));
     const Outcome outcome =
         run_quadcut({"map", log, "-o", folder / "out", "--set", "door_width=2"});
     EXPECT_EQ(outcome.exit_code, 2);

@@ -150,6 +150,7 @@ TEST(ProjectFile, BelongsToOneLogAndOneSetOfOptions) {
     std::vector<std::string> faster = follow;
     faster.insert(faster.end(), {"--threads", "1"});
     EXPECT_EQ(run_quadcut(faster).exit_code, 0);
+    EXPECT_THAT(read_bytes(folder / "out/report.json"), Not(HasSubstr("scan.")));
     follow[5] = folder.write("text", "no project");
     EXPECT_EQ(run_quadcut(follow).exit_code, 2);
     EXPECT_EQ(read_bytes(folder / "text"), "no project");

@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/check_followed.hpp"
 #include "quadcut/follow/follower.hpp"
 #include "quadcut/map/integrate.hpp"
+#include "quadcut/segment/result.hpp"
 
 // The bytes are a sequence of scans, patches, edits, saves and loads. Beside the follower goes a
 // plain model: the log-odds of each cell, the ids that were ever given, and what was saved.
@@ -127,7 +129,7 @@ private:
     }
 
     RoomId some_room() {
-        const auto& rooms = follower_.followed();
+        const auto& rooms = follower_.state().rooms;
         if (rooms.empty()) return RoomId{bytes_.byte()};
         auto at = rooms.begin();
         std::advance(at, bytes_.byte() % rooms.size());
@@ -180,27 +182,34 @@ private:
     std::vector<std::uint32_t> rooms_of_cells() const {
         std::vector<std::uint32_t> rooms;
         for (std::size_t i = 0; i < log_odds_.values.size(); ++i) {
-            rooms.push_back(follower_.room_cells().room(log_odds_.cell(i)));
+            rooms.push_back(follower_.state().cells.room(log_odds_.cell(i)));
         }
         return rooms;
     }
 
     void save_and_load() {
-        const quadcut::FollowerState changes = follower_.state_since_save();
-        for (const quadcut::FollowedTile& tile : changes.tiles) {
-            saved_[{tile.tile.y, tile.tile.x}] = tile;
+        const quadcut::FollowedMap& now = follower_.state();
+        const quadcut::Changes changes = follower_.changes_since(saved_revision_);
+        saved_revision_ = changes.revision;
+        for (const Cell tile : changes.tiles) {
+            saved_[{tile.y, tile.x}] = {now.map.tile(tile), now.cells.tile(tile)};
         }
-        quadcut::FollowerState state = changes;
-        state.tiles.clear();
-        for (const auto& [at, tile] : saved_) state.tiles.push_back(tile);
-        follower_ = quadcut::Follower(options(), state, quadcut::RunOptions{1});
+        quadcut::FollowedMap state = now;
+        state.map = now.map.is_placed() ? quadcut::OccupancyMap(kResolutionM, {}, now.map.root())
+                                        : quadcut::OccupancyMap(kResolutionM);
+        state.cells = {};
+        for (const auto& [at, tile] : saved_) {
+            quadcut::add_tile(state, {at.second, at.first}, tile.first, tile.second);
+        }
+        state.map.commit();
+        follower_ = quadcut::Follower(options(), std::move(state), quadcut::RunOptions{1});
         static_cast<void>(follower_.rooms());
     }
 
     void note(const quadcut::FollowUpdate& update) {
-        for (const quadcut::LifeEvent& event : update.events) {
-            const bool is_new =
-                event.life == quadcut::RoomLife::born || event.life == quadcut::RoomLife::split;
+        for (const quadcut::RoomEvent& event : update.events) {
+            const bool is_new = event.change == quadcut::RoomChange::born ||
+                                event.change == quadcut::RoomChange::split;
             const auto id = static_cast<std::uint32_t>(event.room);
             if (is_new) require(ids_.insert(id).second);
         }
@@ -211,11 +220,11 @@ private:
         for (std::size_t i = 0; i < log_odds_.values.size(); ++i) {
             const Cell cell = log_odds_.cell(i);
             require(follower_.map().log_odds(cell) == log_odds_.values[i]);
-            const std::uint32_t room = follower_.room_cells().room(cell);
+            const std::uint32_t room = follower_.state().cells.room(cell);
             if (room != 0) ++cells[room];
         }
         require(cells.size() == follower_.num_rooms());
-        for (const auto& [id, room] : follower_.followed()) {
+        for (const auto& [id, room] : follower_.state().rooms) {
             require(cells[id] == room.num_cells && room.num_cells > 0);
             // A locked room keeps its cells.
             if (room.is_locked) {
@@ -230,7 +239,9 @@ private:
     Bytes bytes_;
     quadcut::Follower follower_;
     quadcut::Raster<std::int8_t> log_odds_{{kLow, kLow}, kSide, kSide};
-    std::map<std::pair<std::int32_t, std::int32_t>, quadcut::FollowedTile> saved_;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::pair<quadcut::Tile, quadcut::RoomTile>>
+        saved_;
+    std::uint64_t saved_revision_ = 0;
     std::set<std::uint32_t> ids_;
     std::map<std::size_t, std::size_t> locked_cells_;
     std::vector<quadcut::Reversal> edits_;

@@ -5,17 +5,21 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "io/carmen.hpp"
 #include "io/scan_source.hpp"
 #include "quadcut/base/error.hpp"
 
 // The bytes are a CARMEN log, plain or gzip.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
+        const auto log = quadcut::io::parse_carmen_log(bytes, "fuzz.log");
+        if (log.scans.size() != log.lines.size()) __builtin_trap();
         const auto source = quadcut::io::open_scan_source(
-            quadcut::io::Input({"", "fuzz.log", "", {reinterpret_cast<const char*>(data), size}}),
-            {});
+            quadcut::io::Input({"", "fuzz.log", "", std::string(bytes)}), {});
         // What a reader hands on keeps its promises.
         if (source->facts().num_scans == 0) __builtin_trap();
         while (const std::optional<quadcut::Scan> scan = source->next()) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <zlib.h>
@@ -26,6 +27,10 @@ void read_map_bytes(std::string_view bytes) {
     const io::MapKeys keys =
         is_image ? io::bare_image_keys() : io::parse_map_yaml(bytes.substr(0, border), "fuzz.yaml");
     if (!is_image && border == std::string_view::npos) return;
+    if (is_image) {
+        const io::MapFile file = io::parse_map({"", "fuzz.png", "", std::string(bytes)});
+        (void)io::parse_map_as_before({"", "fuzz.png", "", std::string(bytes)}, file.keys);
+    }
     const std::string_view image = is_image ? bytes : bytes.substr(border + 1);
     const io::ParsedMap parsed = io::parse_map_image(image, "fuzz.png", keys);
     const quadcut::GridMap& map = parsed.map;

@@ -2,11 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
 """Writes the seeds of the fuzz targets to corpus/ beside this file: small valid inputs of each
-kind, so that the fuzzers begin where the parsers do their work. Deterministic."""
+kind, so that the fuzzers begin where the parsers do their work. Deterministic. Projects are made by
+build/release/quadcut."""
 
 import gzip
+import math
 import pathlib
+import sqlite3
 import struct
+import subprocess
+import tempfile
 import zlib
 
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
@@ -150,6 +155,13 @@ def write_legends():
     write("legend", "flow.yaml", yaml(more="format_version: 1\nnext_id: 12\nlabels:\n" + flow))
     write("legend", "block.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + block))
     write("legend", "empty.yaml", yaml(more="format_version: 1\nlabels: []\n"))
+    legend = yaml(more="format_version: 1\nlabels:\n" + flow + block).encode() + b"\0"
+    door = ('{"features": [{"properties": {"type": "door", "a": 1, "b": 65535, "width_m": 1.5,'
+            ' "room_a_width_m": 4, "room_b_width_m": 3.5, "confidence": 0.75},'
+            ' "geometry": {"coordinates": [[1, 2], [2.5, 2]]}}]}')
+    write("legend", "doors", legend + door.encode())
+    write("legend", "no_line", legend + door.replace('{"coordinates": ', '[').replace(']]}', ']]]').encode())
+    write("legend", "labels", legend + png(2, 2, 16, 0, [bytes([0, 0, 0, 1]), bytes([0, 7, 0, 1])]))
     write("legend", "twice.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + flow))
 
 
@@ -164,9 +176,60 @@ def write_follows():
     write("follow", "scans", scan * 6 + bytes([5, 7]) + scan)
 
 
+def room_log():
+    """Scans of a room of 4 x 4 m, from its middle."""
+    log = ""
+    for turn in range(4):
+        ranges = [2 / max(abs(math.cos(a)), abs(math.sin(a)))
+                  for a in (math.radians(degree) for degree in range(-90, 91, 3))]
+        pose = f"0 0 {turn * math.pi / 2:.6f}"
+        log += (f"FLASER {len(ranges)} " + " ".join(f"{range_m:.2f}" for range_m in ranges)
+                + f" {pose} {pose} {turn} host {turn}\n")
+    return log
+
+
+def project(*edits):
+    """A project file of ours, in pages as small as there are."""
+    program = CORPUS.parents[2] / "build/release/quadcut"
+    with tempfile.TemporaryDirectory() as folder:
+        def run(*words):
+            subprocess.run([program, *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        (pathlib.Path(folder) / "a.log").write_text(room_log())
+        run("follow", "a.log", "-o", "out", "--project", "p", "--quiet", "--resolution", "0.1",
+            "--set", "follow.first_cut=1")
+        for edit in edits:
+            run("edit", "p", *edit)
+        database = sqlite3.connect(pathlib.Path(folder) / "p", isolation_level=None)
+        # Times differ from run to run.
+        database.execute("UPDATE updates SET line = '{}' || char(10)")
+        for statement in ("journal_mode=DELETE", "page_size=512"):
+            database.execute("PRAGMA " + statement)
+        database.execute("VACUUM")
+        database.close()
+        return (pathlib.Path(folder) / "p").read_bytes()
+
+
+def write_projects():
+    edited = project(("rename", "1", "Hall"), ("split", "-1.9", "0", "1.9", "0"), ("lock", "1"),
+                     ("undo",))
+    write("project", "edited", edited)
+    write("project", "cut", edited[:len(edited) // 2])
+    broken = bytearray(edited)
+    for at in range(1024, len(edited), 700):
+        broken[at] ^= 0x55
+    write("project", "broken", bytes(broken))
+    # A table, a column, a row, what is done with it, and a value: see fuzz_project.cpp.
+    write("project", "no_rooms", bytes([6, 0, 255, 0]))
+    write("project", "far_tile", bytes([9, 0, 3, 2, 0x10, 0]))
+    write("project", "short_tile", bytes([9, 2, 3, 5, 0, 2, 1, 2]))
+    write("project", "other_option", bytes([5, 1, 0, 4, 4]) + b"area")
+    write("project", "large_count", bytes([4, 1, 5, 3, 0x7f, 255, 255, 255, 255, 255, 255, 254]))
+
+
 if __name__ == "__main__":
     write_maps()
     write_logs()
     write_poses()
     write_legends()
     write_follows()
+    write_projects()

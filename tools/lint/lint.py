@@ -11,6 +11,7 @@ from pathlib import Path
 
 import budgets
 import equations
+import fuzz_targets
 import generated
 import layers
 import names
@@ -61,6 +62,7 @@ def main() -> int:
     report("public headers", public_headers.check(tree, fix))
     report("names", names.check(tree))
     report("equations", equations.check(tree))
+    report("fuzz targets", fuzz_targets.check(tree))
     program = ROOT / "build/release/quadcut"
     if program.is_file():
         report("generated", generated.check(ROOT, program, fix))

@@ -11,6 +11,7 @@ import equations
 import generated
 import layers
 import names
+import selftest_fuzz_targets
 import selftest_pins
 import selftest_public_headers
 import selftest_results
@@ -188,7 +189,8 @@ class Generated(unittest.TestCase):
 def run() -> list[str]:
     """What fails, one text each."""
     load = unittest.defaultTestLoader.loadTestsFromModule
-    modules = (__import__(__name__), selftest_pins, selftest_public_headers, selftest_results)
+    modules = (__import__(__name__), selftest_fuzz_targets, selftest_pins, selftest_public_headers,
+               selftest_results)
     suite = unittest.TestSuite([load(module) for module in modules])
     result = unittest.TestResult()
     suite.run(result)

@@ -54,7 +54,7 @@ class PublicHeaders(unittest.TestCase):
         self.assertEqual(1, len(public_headers.check(tree, fix=False)), "not installed")
         tree = good_tree()
         limit = public_headers.MAX_REACHED["segment"]
-        for number, problems in ((limit - 1, 0), (limit, 1)):
+        for number, problems in ((limit, 0), (limit + 1, 1)):
             names = [f"quadcut/map/h{i}.hpp" for i in range(number)]
             tree.files |= {f"src/{name}": SourceFile("", "") for name in names}
             tree.files["include/quadcut/segment.hpp"] = SourceFile(

@@ -14,6 +14,8 @@ namespace quadcut {
 enum class LeafId : std::uint32_t {};
 /// Who a room is, 1, 2, ..., from one result of a map to the next; 0 = no room.
 enum class RoomId : std::uint32_t {};
+/// Who a door of a followed map is, 1, 2, ...; 0 = no door.
+enum class DoorId : std::uint32_t {};
 
 template <typename Id>
     requires std::is_enum_v<Id>

@@ -12,6 +12,12 @@
 
 namespace quadcut {
 
+/// Wall time, milliseconds.
+[[nodiscard]] inline double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
 /// Wall time by stage. A stage lasts until the next one begins; a stage that is entered again adds
 /// to its time.
 class StageClock {
@@ -32,9 +38,8 @@ public:
 
 private:
     void end() {
-        const auto now = std::chrono::steady_clock::now();
-        const double ms = std::chrono::duration<double, std::milli>(now - since_).count();
-        since_ = now;
+        const double ms = ms_since(since_);
+        since_ = std::chrono::steady_clock::now();
         if (current_.empty()) return;
         for (auto& [stage, total_ms] : stages_ms_) {
             if (stage != current_) continue;

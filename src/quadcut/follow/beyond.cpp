@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-// What rooms have beyond the window that is being cut: looked at tile by tile, since a room may go
-// on for kilometres, and the box around it may hold next to nothing of it.
+#include "quadcut/follow/beyond.hpp"
+
 #include <algorithm>
 #include <bit>
+#include <set>
 #include <utility>
-
-#include "quadcut/follow/follower.hpp"
 
 namespace quadcut {
 namespace {
-
-/// As in RegionGraph: a robot fits through, to somewhere.
-constexpr float kFitsM = 0.25F;
-constexpr double kPlaceM2 = 2.0;
-
-Cell cell_in(Cell tile, int place) {
-    const Cell low = first_cell_of(tile);
-    return {low.x + place % kTileSide, low.y + place / kTileSide};
-}
 
 /// The cells of a room, bit 8 y + x.
 std::uint64_t rows_of(const RoomTile& tile, std::uint32_t room) {
@@ -41,40 +31,41 @@ std::uint64_t without_unwanted(Cell tile, std::uint64_t rows, const Raster<std::
     return rows;
 }
 
-}  // namespace
-
-BeyondWindow Follower::look_beyond(const LocalWindow& window, std::uint32_t room,
-                                   const std::vector<Cell>& parts,
-                                   const Raster<std::uint32_t>& pieces) {
-    const Outside& outside = outside_[room] = groups_outside(window, room, parts, pieces);
-    BeyondWindow beyond{outside.group_of_part, {}};
-    const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    for (std::size_t group = 0; group < outside.num_cells.size(); ++group) {
-        beyond.groups.push_back({static_cast<double>(outside.num_cells[group]) * cell_m2,
-                                 outside.num_cells[group] == 0 ? 0.0 : rooms_.at(room).peak_m,
-                                 openings_outside(window, room, outside, group)});
+/// To how many rooms that are somewhere to go to a group has openings.
+std::size_t openings_outside(const FollowedMap& followed, const Box& window, std::uint32_t room,
+                             const Outside& outside, std::size_t group) {
+    std::set<std::uint32_t> neighbours;
+    for (const RoomOpening& opening : followed.openings) {
+        if (opening.clearance_m <= kFitsM || window.contains(opening.a)) continue;
+        for (const auto& [own, far] :
+             {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
+            const std::uint32_t other = followed.cells.room(far);
+            if (followed.cells.room(own) != room || other == room || other == 0) continue;
+            if (!outside.groups.empty() && !outside.groups[group].contains(own)) continue;
+            const auto num_cells = static_cast<double>(followed.rooms.at(other).num_cells);
+            if (num_cells * followed.cell_m2() >= kPlaceM2) neighbours.insert(other);
+        }
     }
-    return beyond;
+    return neighbours.size();
 }
 
-Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint32_t room,
-                                           const std::vector<Cell>& parts,
-                                           const Raster<std::uint32_t>& pieces) const {
-    const FollowedRoom& known = rooms_.at(room);
+}  // namespace
+
+Outside look_outside(const FollowedMap& followed, const Window& window, std::uint32_t room,
+                     const std::vector<Cell>& parts, const Raster<std::uint32_t>& labels) {
     const auto num_inside = static_cast<std::size_t>(
         std::count(window.rooms.values.begin(), window.rooms.values.end(), room));
-    if (parts.size() == 1) return {{0}, {known.num_cells - num_inside}, {}};
+    if (parts.size() == 1) return {{0}, {followed.rooms.at(room).num_cells - num_inside}, {}, 0};
     // Several parts: a walk through the room, around what is cut anew, tells which are connected.
     // Furniture that was no room yet may stand for a part.
-    std::set<std::uint32_t> pieces_of_parts;
-    for (const Cell part : parts) pieces_of_parts.insert(pieces.at(part));
-    TileWalk walk([&](Cell tile) {
-        const std::uint64_t own = rows_of(cells_.tile(tile), room);
-        return without_unwanted(tile, own, pieces, [&](Cell cell) {
-            return pieces_of_parts.count(pieces.at(cell)) != 0;
-        });
-    });
+    std::set<std::uint32_t> ways;
+    for (const Cell part : parts) ways.insert(labels.at(part));
     Outside outside;
+    TileWalk walk([&](Cell tile) {
+        outside.cells_read += kTileCells;
+        return without_unwanted(tile, rows_of(followed.cells.tile(tile), room), labels,
+                                [&](Cell cell) { return ways.count(labels.at(cell)) != 0; });
+    });
     for (const Cell part : parts) {
         std::size_t group = 0;
         while (group < outside.groups.size() && !outside.groups[group].contains(part)) ++group;
@@ -83,7 +74,7 @@ Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint3
         outside.groups.push_back(walk.take(part));
         std::size_t num_cells = 0;
         outside.groups.back().for_each([&](Cell tile, std::uint64_t rows) {
-            rows = without_unwanted(tile, rows, pieces, [](Cell) { return false; });
+            rows = without_unwanted(tile, rows, labels, [](Cell) { return false; });
             num_cells += static_cast<std::size_t>(std::popcount(rows));
         });
         outside.num_cells.push_back(num_cells);
@@ -91,32 +82,23 @@ Follower::Outside Follower::groups_outside(const LocalWindow& window, std::uint3
     return outside;
 }
 
-std::size_t Follower::openings_outside(const LocalWindow& window, std::uint32_t room,
-                                       const Outside& outside, std::size_t group) const {
-    const double cell_m2 = options_.resolution_m * options_.resolution_m;
-    std::set<std::uint32_t> neighbours;
-    for (const LocalOpening& opening : openings_) {
-        if (opening.clearance_m <= kFitsM || window.states.contains(opening.a)) continue;
-        for (const auto& [own, far] :
-             {std::pair{opening.a, opening.b}, std::pair{opening.b, opening.a}}) {
-            const std::uint32_t other = cells_.room(far);
-            if (cells_.room(own) != room || other == room || other == 0) continue;
-            if (!outside.groups.empty() && !outside.groups[group].contains(own)) continue;
-            const bool is_place =
-                static_cast<double>(rooms_.at(other).num_cells) * cell_m2 >= kPlaceM2;
-            if (is_place) neighbours.insert(other);
-        }
+std::vector<Beyond> beyond_of(const FollowedMap& followed, const Box& window, std::uint32_t room,
+                              const Outside& outside) {
+    std::vector<Beyond> groups;
+    for (std::size_t group = 0; group < outside.num_cells.size(); ++group) {
+        const std::size_t num_cells = outside.num_cells[group];
+        groups.push_back({static_cast<double>(num_cells) * followed.cell_m2(),
+                          num_cells == 0 ? 0.0 : followed.rooms.at(room).peak_m,
+                          openings_outside(followed, window, room, outside, group)});
     }
-    return neighbours.size();
+    return groups;
 }
 
-std::vector<Cell> Follower::cells_outside(const LocalWindow& window, std::uint32_t room,
-                                          std::size_t group) const {
-    const Outside& outside = outside_.at(room);
-    const Box& box = rooms_.at(room).box;
+std::vector<Cell> cells_outside(const FollowedMap& followed, const Window& window,
+                                std::uint32_t room, const Outside& outside, std::size_t group) {
     std::vector<Cell> cells;
     const auto add = [&](Cell tile, std::uint64_t rows) {
-        rows &= rows_of(cells_.tile(tile), room);
+        rows &= rows_of(followed.cells.tile(tile), room);
         for (; rows != 0; rows &= rows - 1) {
             const Cell cell = cell_in(tile, std::countr_zero(rows));
             if (!window.states.contains(cell)) cells.push_back(cell);
@@ -126,8 +108,9 @@ std::vector<Cell> Follower::cells_outside(const LocalWindow& window, std::uint32
         outside.groups[group].for_each(add);
         return cells;
     }
+    const Box& box = followed.rooms.at(room).box;
     for_each_cell({tile_of(box.low), tile_of(box.high)}, [&](Cell tile) {
-        if (cells_.contains(tile)) add(tile, ~std::uint64_t{0});
+        if (followed.cells.contains(tile)) add(tile, ~std::uint64_t{0});
     });
     return cells;
 }

@@ -10,9 +10,27 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
-#include "quadcut/follow/follower_state.hpp"
+#include "quadcut/follow/follow_update.hpp"
 
 namespace quadcut {
+
+/// What people say of a room.
+struct RoomSettings {
+    /// Empty: the default name.
+    std::string name;
+    /// Not 0: made one by people; rooms of one group that touch are one room.
+    std::uint32_t merge_group = 0;
+    /// Its cells are its own whatever is seen there.
+    bool is_locked = false;
+    friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
+};
+
+/// A cut that people drew: to the rooms on both sides it is a wall.
+struct SplitLine {
+    Cell from;
+    Cell to;
+    friend bool operator==(const SplitLine&, const SplitLine&) = default;
+};
 
 enum class EditKind : std::uint8_t { rename, merge, split, lock, unlock };
 
@@ -49,6 +67,12 @@ struct Reversal {
     std::map<std::pair<std::int32_t, std::int32_t>, std::uint64_t> cells;
     /// part: cuts that begin. join: cuts that end, as do all between the two.
     std::vector<SplitLine> lines;
+};
+
+/// What an edit did, and what takes it back.
+struct Edited {
+    FollowUpdate update;
+    Reversal inverse;
 };
 
 }  // namespace quadcut

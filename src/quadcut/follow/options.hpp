@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "quadcut/map/integrate.hpp"
+#include "quadcut/map/integrate_options.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -27,8 +27,8 @@ struct FollowOptions {
     double min_patch_m2 = 0.05;
 };
 
-/// Adds these and those of the stages, bound to the members of `options`, which must outlive the
-/// list.
+/// Adds those of segment(), of scans, and these, bound to the members of `options`, which must
+/// outlive the list.
 void add_fields(FollowOptions& options, std::vector<OptionField>& fields);
 
 /// The options as a Follower takes them.

@@ -3,6 +3,7 @@
 #include "quadcut/follow/part_rooms.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace quadcut {
 
@@ -24,10 +25,11 @@ std::vector<std::uint32_t> majority_rooms(const Raster<std::uint32_t>& parts, st
 }
 
 std::vector<std::uint32_t> groups_of(const std::vector<std::uint32_t>& rooms,
-                                     const std::map<std::uint32_t, std::uint32_t>& merge_groups) {
+                                     const FollowedMap& followed) {
     std::vector<std::uint32_t> groups;
-    for (const std::uint32_t room : rooms) {
-        groups.push_back(merge_groups.count(room) != 0 ? merge_groups.at(room) : 0);
+    for (const std::uint32_t id : rooms) {
+        const auto room = followed.rooms.find(id);
+        groups.push_back(room == followed.rooms.end() ? 0 : room->second.merge_group);
     }
     return groups;
 }

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <vector>
 
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -17,9 +17,8 @@ namespace quadcut {
                                                         const Raster<std::uint32_t>& rooms);
 
 /// The merge group of each of these rooms; 0 = none.
-[[nodiscard]] std::vector<std::uint32_t> groups_of(
-    const std::vector<std::uint32_t>& rooms,
-    const std::map<std::uint32_t, std::uint32_t>& merge_groups);
+[[nodiscard]] std::vector<std::uint32_t> groups_of(const std::vector<std::uint32_t>& rooms,
+                                                   const FollowedMap& followed);
 
 /// Calls visit(i, j) for each two cells (offsets) side by side.
 template <typename Visit>

@@ -23,43 +23,23 @@ Box grown_to(const Box& box, Cell tile) {
 
 }  // namespace
 
-void RoomCells::set_room(Cell cell, std::uint32_t room) {
-    if (this->room(cell) == room) return;
-    mark(tile_of(cell));
+bool RoomCells::set_room(Cell cell, std::uint32_t room) {
+    if (this->room(cell) == room) return false;
     tiles_[number(tile_of(cell))].rooms[place_in_tile(cell)] = room;
+    return true;
 }
 
-void RoomCells::set_cut_free(Cell cell, bool is_free) {
+bool RoomCells::set_cut_free(Cell cell, bool is_free) {
     const std::uint64_t bit = std::uint64_t{1} << place_in_tile(cell);
-    if (((tile(tile_of(cell)).cut_free & bit) != 0) == is_free) return;
-    mark(tile_of(cell));
+    if (((tile(tile_of(cell)).cut_free & bit) != 0) == is_free) return false;
     tiles_[number(tile_of(cell))].cut_free ^= bit;
-}
-
-void RoomCells::set_tile(Cell tile, const RoomTile& values) {
-    mark(tile);
-    tiles_[number(tile)] = values;
+    return true;
 }
 
 void RoomCells::note_free(Cell tile, int num_free) {
     std::uint8_t& before = num_free_[number(tile)];
     moments_.add(tile, num_free - std::int64_t{before});
     before = static_cast<std::uint8_t>(num_free);
-}
-
-void RoomCells::mark(Cell tile) {
-    const std::uint32_t at = number(tile);
-    if (is_marked_[at]) return;
-    is_marked_[at] = true;
-    marked_.push_back(tile);
-}
-
-std::vector<Cell> RoomCells::take_marked() {
-    std::vector<Cell> tiles = std::exchange(marked_, {});
-    for (const Cell tile : tiles) is_marked_[number(tile)] = false;
-    std::sort(tiles.begin(), tiles.end(),
-              [](Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
-    return tiles;
 }
 
 void RoomCells::Moments::add(Cell tile, std::int64_t cells) {
@@ -86,8 +66,7 @@ Layout RoomCells::orientation() const {
 
 std::size_t RoomCells::bytes() const {
     return directory_.values.capacity() * sizeof(std::uint32_t) +
-           tiles_.capacity() * sizeof(RoomTile) + is_marked_.capacity() / 8 + num_free_.capacity() +
-           marked_.capacity() * sizeof(Cell);
+           tiles_.capacity() * sizeof(RoomTile) + num_free_.capacity();
 }
 
 std::uint32_t RoomCells::number(Cell tile) {
@@ -108,7 +87,6 @@ std::uint32_t RoomCells::number(Cell tile) {
         entry = static_cast<std::uint32_t>(tiles_.size());
         tiles_.emplace_back();
         num_free_.push_back(0);
-        is_marked_.push_back(false);
     }
     return entry;
 }

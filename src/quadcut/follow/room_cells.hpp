@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +23,17 @@ struct RoomTile {
     friend bool operator==(const RoomTile&, const RoomTile&) = default;
 };
 
+/// To the four cells beside one.
+inline constexpr std::array<Cell, 4> kStepsBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+/// The cell at a place of a tile, 8 y + x.
+[[nodiscard]] constexpr Cell cell_in(Cell tile, int place) {
+    const Cell low = first_cell_of(tile);
+    return {low.x + place % kTileSide, low.y + place / kTileSide};
+}
+
 /// The room of each cell of a followed map: tiles under a directory that grows with the map, so
-/// that memory follows what was seen. It remembers which tiles have changed since they were saved.
+/// that memory follows what was seen.
 class RoomCells {
 public:
     /// 0 outside. O(1).
@@ -35,20 +45,21 @@ public:
         return tiles_[directory_.contains(tile) ? directory_.at(tile) : 0];
     }
 
-    /// Whether a tile has ever had a room, or a mark.
+    /// Whether one of the four cells beside it belongs to the room.
+    [[nodiscard]] bool is_beside(Cell cell, std::uint32_t room) const {
+        return std::any_of(kStepsBeside.begin(), kStepsBeside.end(), [&](Cell step) {
+            return this->room({cell.x + step.x, cell.y + step.y}) == room;
+        });
+    }
+    /// Whether a tile has ever had a room, or free cells.
     [[nodiscard]] bool contains(Cell tile) const {
         return directory_.contains(tile) && directory_.at(tile) != 0;
     }
 
-    /// Both mark the tile if something changes.
-    void set_room(Cell cell, std::uint32_t room);
-    void set_cut_free(Cell cell, bool is_free);
-    /// Marks the tile.
-    void set_tile(Cell tile, const RoomTile& values);
-    /// Says that what belongs to a tile must be saved.
-    void mark(Cell tile);
-    /// The marked tiles, row by row; none is marked any more.
-    [[nodiscard]] std::vector<Cell> take_marked();
+    /// Whether that changes anything.
+    bool set_room(Cell cell, std::uint32_t room);
+    bool set_cut_free(Cell cell, bool is_free);
+    void set_tile(Cell tile, const RoomTile& values) { tiles_[number(tile)] = values; }
 
     /// Says how many cells of a tile are free now.
     void note_free(Cell tile, int num_free);
@@ -77,8 +88,6 @@ private:
     /// 0 = the empty tile.
     Raster<std::uint32_t> directory_;
     std::vector<RoomTile> tiles_ = std::vector<RoomTile>(1);
-    std::vector<bool> is_marked_ = std::vector<bool>(1);
-    std::vector<Cell> marked_;
     std::vector<std::uint8_t> num_free_ = std::vector<std::uint8_t>(1);
     /// Of the free cells, by their tiles.
     Moments moments_;

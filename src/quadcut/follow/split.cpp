@@ -8,7 +8,7 @@
 #include <string>
 
 #include "quadcut/base/error.hpp"
-#include "quadcut/follow/follower.hpp"
+#include "quadcut/follow/edits.hpp"
 #include "quadcut/follow/split_line.hpp"
 #include "quadcut/map/line_walk.hpp"
 
@@ -37,14 +37,20 @@ Point before(const Point& from, const Point& to, Cell cell) {
     return along(from, way, off.x * way.x + off.y * way.y - 0.5);
 }
 
-}  // namespace
+/// The part of a line that lies in one room and in the walls there; in cells.
+struct RoomStretch {
+    std::uint32_t room = 0;
+    std::size_t num_cells = 0;
+    Cell first;
+    Cell last;
+};
 
 /// The longest stretch of the line in any room; nothing when it meets none.
-Follower::RoomStretch Follower::stretch_of(const Point& from, const Point& to) const {
+RoomStretch stretch_of(const FollowedMap& followed, const Point& from, const Point& to) {
     RoomStretch longest;
     RoomStretch stretch;
     walk_line(from, to, [&](Cell cell, double) {
-        const std::uint32_t room = cells_.room(cell);
+        const std::uint32_t room = followed.cells.room(cell);
         if (room == 0) return true;
         if (room != stretch.room) stretch = {room, 0, cell, cell};
         stretch.last = cell;
@@ -54,31 +60,48 @@ Follower::RoomStretch Follower::stretch_of(const Point& from, const Point& to) c
     return longest;
 }
 
-Reversal Follower::split(const Point& from, const Point& to) {
-    const double resolution_m = options_.resolution_m;
+/// The nearest room within kNearM; 0 = none.
+std::uint32_t nearest_room(const FollowedMap& followed, Cell to) {
+    std::uint32_t nearest = 0;
+    double least = kNearM / followed.map.resolution_m();
+    for_each_cell(Box{to, to}.grown(followed.in_cells(kNearM)), [&](Cell cell) {
+        const double length = std::hypot(cell.x - to.x, cell.y - to.y);
+        if (followed.cells.room(cell) == 0 || length >= least) return;
+        least = length;
+        nearest = followed.cells.room(cell);
+    });
+    return nearest;
+}
+
+}  // namespace
+
+Reversal change_of_split(FollowedMap& followed, const Edit& edit) {
+    const Point from = edit.from;
+    const Point to = edit.to;
+    const double resolution_m = followed.map.resolution_m();
     // Throws for points that are nowhere.
-    static_cast<void>(map_.cell_at(from));
-    static_cast<void>(map_.cell_at(to));
+    static_cast<void>(followed.map.cell_at(from));
+    static_cast<void>(followed.map.cell_at(to));
     Point begin{from.x / resolution_m, from.y / resolution_m};
     Point end{to.x / resolution_m, to.y / resolution_m};
-    RoomStretch stretch = stretch_of(begin, end);
+    RoomStretch stretch = stretch_of(followed, begin, end);
     if (stretch.room != 0) {
         const Point first = before(begin, end, stretch.first);
         end = before(end, begin, stretch.last);
         begin = first;
     } else {
-        stretch.room = nearest_room(cell_of(middle_of(begin, end)));
+        stretch.room = nearest_room(followed, cell_of(middle_of(begin, end)));
     }
     if (stretch.room == 0) {
         throw InputError("no room is within 3 m of " + text_of(middle_of(from, to), resolution_m) +
                          ", the middle of the line");
     }
     const RoomId room{stretch.room};
-    const std::string name = "room " + std::to_string(stretch.room);
-    if (rooms_.at(stretch.room).is_locked) {
+    const std::string name = name_of(room);
+    if (followed.rooms.at(stretch.room).is_locked) {
         throw InputError(name + " is locked: it keeps its border");
     }
-    const Raster<std::uint8_t> mask = mask_of(stretch.room);
+    const Raster<std::uint8_t> mask = mask_of(followed, stretch.room);
     const SplitPlan plan = plan_split(mask, begin, end, resolution_m);
     if (!plan.line) {
         const auto legal = nearest_split(mask, begin, end, resolution_m);
@@ -93,29 +116,16 @@ Reversal Follower::split(const Point& from, const Point& to) {
     }
     Reversal change;
     change.room = room;
-    change.other = RoomId{new_id()};
+    change.other = RoomId{take_id(followed)};
     change.border = Reversal::Border::part;
-    if (rooms_.at(stretch.room).merge_group != 0) {
-        change.settings[next_id_ - 1].merge_group = next_id_ - 1;
+    if (followed.rooms.at(stretch.room).merge_group != 0) {
+        change.settings[followed.next_id - 1].merge_group = followed.next_id - 1;
     }
     for (const Cell cell : plan.part) {
         change.cells[{tile_of(cell).x, tile_of(cell).y}] |= std::uint64_t{1} << place_in_tile(cell);
     }
     change.lines = {*plan.line};
     return change;
-}
-
-/// The nearest one within kNearM; 0 = none.
-std::uint32_t Follower::nearest_room(Cell to) const {
-    std::uint32_t nearest = 0;
-    double least = kNearM / options_.resolution_m;
-    for_each_cell(Box{to, to}.grown(in_cells(kNearM)), [&](Cell cell) {
-        const double length = std::hypot(cell.x - to.x, cell.y - to.y);
-        if (cells_.room(cell) == 0 || length >= least) return;
-        least = length;
-        nearest = cells_.room(cell);
-    });
-    return nearest;
 }
 
 }  // namespace quadcut

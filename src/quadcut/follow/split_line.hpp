@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
-#include "quadcut/follow/follower_state.hpp"
+#include "quadcut/follow/edit.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include "quadcut/base/ids.hpp"
+#include "quadcut/follow/room_event.hpp"
 #include "quadcut/map/raster.hpp"
 #include "quadcut/segment/result.hpp"
 
@@ -23,18 +22,6 @@ struct EarlierRooms {
     std::uint32_t next_id = 1;
 };
 
-/// What became of a room from one result to the next.
-enum class RoomChange : std::uint8_t { kept, born, split, merged, gone };
-
-struct RoomEvent {
-    RoomChange change = RoomChange::kept;
-    RoomId room{};
-    /// The room's name; its last one, when it is merged or gone.
-    std::string name;
-    /// split: the room it was a part of. merged: the room it is a part of now. Otherwise none.
-    RoomId other{};
-};
-
 /// A segmentation whose rooms are recognised, in the order of their ids, and what became of whom:
 /// an event for each room that there is, and one for each earlier room that is no more.
 struct Tracked {
@@ -44,16 +31,11 @@ struct Tracked {
 
 /// Gives rooms the ids and names that they had in an earlier result.
 ///
-/// Two rooms can be the same when what they share is at least half of one of them. Of those, the
-/// pair that shares the largest area is the same room, then the next pair among the others, and so
-/// on (kept). So no two rooms share more with each other than with the rooms they are paired with:
-/// of the parts of a room, the one that has most of it stays that room. The largest sum of shared
-/// areas would not do: it can take a room away from its largest part for the sake of another pair,
-/// and a change at one end of a building could change ids at the other.
+/// Who is the same says match_rooms() (kept).
 /// Of the others, a new room at least half of which was in one earlier room is split from it, or
 /// else it is born; an earlier room at least half of which is in one new room is merged into it, or
-/// else it is gone. Split and merged name rooms that are there: had those no partner, they would be
-/// the same room.
+/// else it is retired. Split and merged name rooms that are there: had those no partner, they would
+/// be the same room.
 ///
 /// Kinds are those of the new rooms. A name is kept as it is, unless it is the one that a room of
 /// that kind and id has by itself, which follows the kind. Ids are never given twice; new ones are

@@ -39,6 +39,7 @@ struct Door {
     double room_b_width_m = 0.0;
     /// 0..1: how clearly the free space narrows here.
     double confidence = 0.0;
+    friend bool operator==(const Door&, const Door&) = default;
 };
 
 /// The map cut at another granularity.

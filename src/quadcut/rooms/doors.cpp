@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "quadcut/map/connected_parts.hpp"
@@ -89,20 +88,18 @@ std::array<Cell, 2> ends_of(const std::vector<Contact>& opening) {
     return {first, end};
 }
 
-/// One opening with the door that it is; empty where nothing fits through.
+/// One opening, and the door that it is.
 struct Found {
     Pair pair;
     std::vector<Contact> contacts;
-    std::optional<Door> door;
+    Saddle saddle;
+    Door door;
 };
 
-std::optional<Door> measure_door(const Found& opening, const RegionGraph& regions,
-                                 const Raster<float>& clearance_m, const LaidOutFrame& frame,
-                                 NarrowingGauge& gauge) {
-    const Saddle saddle = widest_contact(opening.contacts, clearance_m);
-    if (saddle.clearance_m <= 0.0F) return std::nullopt;
+Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOutFrame& frame,
+                  NarrowingGauge& gauge) {
     const auto [a, b] = opening.pair;
-    const Narrowing narrowing = regions.measure_at(saddle, a, b, gauge);
+    const Narrowing narrowing = regions.measure_at(opening.saddle, a, b, gauge);
     const std::array<Cell, 2> jambs =
         narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening.contacts);
     Door door;
@@ -125,33 +122,50 @@ std::optional<Door> measure_door(const Found& opening, const RegionGraph& region
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
                              const Raster<float>& clearance_m, const LaidOutFrame& frame,
                              double min_width_m, const Executor& executor) {
+    std::vector<Door> doors;
+    for (const PlacedDoor& found : find_doors_in(labels.box(), {}, labels, num_regions, clearance_m,
+                                                 frame, min_width_m, executor)) {
+        doors.push_back(found.door);
+    }
+    return doors;
+}
+
+std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> beyond,
+                                      const Raster<std::uint32_t>& labels,
+                                      std::uint32_t num_regions, const Raster<float>& clearance_m,
+                                      const LaidOutFrame& frame, double min_width_m,
+                                      const Executor& executor) {
     std::vector<Found> openings;
     BorderSaddles saddles;
     for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
         saddles.emplace(pair, widest_contact(contacts, clearance_m));
         for (auto& opening : split_into_openings(contacts)) {
-            openings.push_back({pair, std::move(opening), std::nullopt});
+            const Saddle saddle = widest_contact(opening, clearance_m);
+            // Where nothing fits through is no door.
+            if (saddle.clearance_m <= 0.0F || !box.contains(saddle.a)) continue;
+            openings.push_back({pair, std::move(opening), saddle, {}});
         }
     }
-    const RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m,
-                              executor);
+    RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m, executor);
+    for (std::uint32_t i = 0; i < beyond.size(); ++i) regions.add_beyond(i + 1, beyond[i]);
     std::vector<Found*> order;
     for (Found& opening : openings) order.push_back(&opening);
-    const auto block = [box = labels.box()](const Found* opening) {
-        return block_code(opening->contacts.front().a, box);
+    const auto block = [around = labels.box()](const Found* opening) {
+        return block_code(opening->contacts.front().a, around);
     };
     std::sort(order.begin(), order.end(),
               [&](const Found* p, const Found* q) { return block(p) < block(q); });
-    parallel_for(
-        executor, order.size(), kOpeningsPerChunk, [&](std::size_t first, std::size_t last) {
-            NarrowingGauge gauge(clearance_m, frame.resolution_m);
-            for (std::size_t i = first; i < last; ++i) {
-                order[i]->door = measure_door(*order[i], regions, clearance_m, frame, gauge);
-            }
-        });
-    std::vector<Door> doors;
-    for (const Found& opening : openings) {
-        if (opening.door && opening.door->width_m >= min_width_m) doors.push_back(*opening.door);
+    parallel_for(executor, order.size(), kOpeningsPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     NarrowingGauge gauge(clearance_m, frame.resolution_m);
+                     for (std::size_t i = first; i < last; ++i) {
+                         order[i]->door = measure_door(*order[i], regions, frame, gauge);
+                     }
+                 });
+    std::vector<PlacedDoor> doors;
+    for (const Found& found : openings) {
+        if (found.door.width_m < min_width_m) continue;
+        doors.push_back({found.door, found.saddle.a, found.saddle.b});
     }
     return doors;
 }

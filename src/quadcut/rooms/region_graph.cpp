@@ -15,11 +15,6 @@
 namespace quadcut {
 namespace {
 
-/// A robot fits through an opening with this clearance.
-constexpr float kFitsM = 0.25F;
-/// What is smaller is not somewhere to go to.
-constexpr double kPlaceM2 = 2.0;
-
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
 }

@@ -18,6 +18,11 @@
 
 namespace quadcut {
 
+/// A robot fits through an opening with this clearance.
+inline constexpr float kFitsM = 0.25F;
+/// What is smaller is not somewhere to go to.
+inline constexpr double kPlaceM2 = 2.0;
+
 /// What a room, or a part of it, has outside of a window of the map.
 struct Beyond {
     double area_m2 = 0.0;

@@ -24,9 +24,6 @@
 namespace quadcut {
 namespace {
 
-/// Narrower openings are gaps in the map.
-constexpr double kMinDoorM = 0.3;
-
 /// Numbers, doors and descriptions: what both presets end with. The rasters are laid out.
 void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridMap& map,
               const Layout& layout, StageClock& clock, const Executor& executor,

@@ -32,13 +32,13 @@ std::string all_of(const Follower& follower) {
     std::string labels;
     for (const std::uint16_t label : rooms.labels.values) labels += static_cast<char>(label);
     text += std::to_string(io::hash_bytes(labels));
-    for (const auto& [id, room] : follower.followed()) {
+    for (const auto& [id, room] : follower.state().rooms) {
         text += "\n" + std::to_string(id) + " " + room.name + " " +
                 std::to_string(room.merge_group) + (room.is_locked ? " locked " : " ") +
                 std::to_string(room.num_cells);
     }
     std::set<std::int32_t> lines;
-    for (const SplitLine& line : follower.split_lines()) lines.insert(line.from.x);
+    for (const SplitLine& line : follower.state().split_lines) lines.insert(line.from.x);
     for (const std::int32_t x : lines) text += "\nline at " + std::to_string(x);
     return text;
 }
@@ -92,11 +92,11 @@ TEST(EditInverse, FloorSeenSinceAMergeGoesToTheRoomThatItTouches) {
     follower.update_cells(Raster<CellState>({250, 10}, 40, 100, CellState::free));
     ASSERT_EQ(follower.room_at({14.0, 3.0}), left);
     const Edited undone = follower.apply(merged.inverse);
-    EXPECT_EQ(undone.update.events.front().life, RoomLife::split);
+    EXPECT_EQ(undone.update.events.front().change, RoomChange::split);
     EXPECT_EQ(follower.room_at({2.0, 3.0}), left);
     EXPECT_EQ(follower.room_at({9.0, 3.0}), right);
     EXPECT_EQ(follower.room_at({14.0, 3.0}), right);
-    EXPECT_EQ(follower.followed().at(static_cast<std::uint32_t>(right)).name, "Store");
+    EXPECT_EQ(follower.state().rooms.at(static_cast<std::uint32_t>(right)).name, "Store");
     // They stay apart: nobody says any more that they are one.
     set_door(follower, CellState::occupied);
     set_door(follower, CellState::free);
@@ -143,7 +143,7 @@ TEST(EditInverse, OfASplitTakesItsLineBackWhereverItsRoomsEnd) {
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     ASSERT_EQ(follower.num_rooms(), 2U);
     follower.apply(split.inverse);
-    EXPECT_TRUE(follower.split_lines().empty());
+    EXPECT_TRUE(follower.state().split_lines.empty());
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::free));
     EXPECT_EQ(follower.num_rooms(), 1U);
     EXPECT_EQ(follower.room_at({2.0, 3.0}), hall);
@@ -156,16 +156,16 @@ TEST(EditInverse, WhatWasSeenInALockedRoomCountsOnceItIsUnlocked) {
     follower.edit(test::lock(left));
     follower.update_cells(Raster<CellState>({40, 40}, 20, 20, CellState::occupied));
     const auto number = static_cast<std::uint32_t>(left);
-    const std::size_t cells = follower.followed().at(number).num_cells;
+    const std::size_t cells = follower.state().rooms.at(number).num_cells;
     const Edited unlocked = follower.edit(test::unlock(left));
-    EXPECT_EQ(follower.followed().at(number).num_cells, cells - 400U);
+    EXPECT_EQ(follower.state().rooms.at(number).num_cells, cells - 400U);
     const Segmentation rooms = follower.rooms();
     const Raster<CellState> states = follower.map().to_grid().states;
     for (std::size_t i = 0; i < states.values.size(); ++i) {
         ASSERT_TRUE(rooms.labels.values[i] == 0 || states.values[i] == CellState::free);
     }
     follower.apply(unlocked.inverse);
-    EXPECT_TRUE(follower.followed().at(number).is_locked);
+    EXPECT_TRUE(follower.state().rooms.at(number).is_locked);
     EXPECT_THAT(error_of([&] { follower.edit(test::lock(left)); }), HasSubstr("locked already"));
 }
 

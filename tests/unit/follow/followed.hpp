@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadcut/follow/edit.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/map/scan.hpp"
 #include "quadcut/segment/result.hpp"
 #include "sim/building.hpp"

@@ -13,6 +13,7 @@
 #include "eval/score.hpp"
 #include "io/label_image.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/map/integrate.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "tests/unit/follow/followed.hpp"
@@ -40,9 +41,10 @@ TEST(Follower, EndsWithTheRoomsOfItsMap) {
         EXPECT_EQ(update.scan + 1, trajectory.size());
         EXPECT_GE(update.ps, 0.0);
         EXPECT_LE(update.ps, 1.0);
-        for (const LifeEvent& event : update.events) {
+        for (const RoomEvent& event : update.events) {
             EXPECT_FALSE(event.reason.empty());
-            const bool is_new = event.life == RoomLife::born || event.life == RoomLife::split;
+            const bool is_new =
+                event.change == RoomChange::born || event.change == RoomChange::split;
             EXPECT_TRUE(!is_new || born.insert(event.room).second) << "an id was used again";
         }
     }
@@ -227,13 +229,13 @@ TEST(Follower, AWallThatGoesUpSplitsARoomAndOneThatGoesDownMergesThem) {
     const FollowUpdate split = follower.update_cells(wall);
     EXPECT_EQ(follower.num_rooms(), 2U);
     ASSERT_EQ(split.events.size(), 1U);
-    EXPECT_EQ(split.events.front().life, RoomLife::split);
+    EXPECT_EQ(split.events.front().change, RoomChange::split);
     EXPECT_EQ(split.events.front().other, first) << "the larger part keeps the id";
     const FollowUpdate merged =
         follower.update_cells(Raster<CellState>({100, 10}, 4, 100, CellState::free));
     EXPECT_EQ(follower.num_rooms(), 1U);
     ASSERT_FALSE(merged.events.empty());
-    EXPECT_EQ(merged.events.front().life, RoomLife::merged);
+    EXPECT_EQ(merged.events.front().change, RoomChange::merged);
     EXPECT_EQ(merged.events.front().other, first);
     EXPECT_EQ(follower.rooms().rooms.front().id, first);
 }

@@ -27,21 +27,18 @@ TEST(RoomCells, HoldWhatWasSetWhereverItLies) {
     EXPECT_EQ(cells.room({100000, -100000}), 0U);
 }
 
-TEST(RoomCells, MarkWhatChangesUntilItIsTaken) {
+TEST(RoomCells, SayWhatChanges) {
     RoomCells cells;
-    cells.set_room({0, 0}, 0);
-    EXPECT_TRUE(cells.take_marked().empty()) << "nothing has changed";
-    cells.set_room({17, 9}, 3);
-    cells.set_room({18, 9}, 3);
-    cells.set_cut_free({-1, -1}, true);
-    EXPECT_EQ(cells.take_marked(), (std::vector<Cell>{{-1, -1}, {2, 1}}));
-    EXPECT_TRUE(cells.take_marked().empty());
-    cells.set_room({17, 9}, 3);
-    cells.set_cut_free({-1, -1}, true);
-    EXPECT_TRUE(cells.take_marked().empty()) << "the same again is no change";
-    cells.set_cut_free({-1, -1}, false);
-    EXPECT_EQ(cells.take_marked(), (std::vector<Cell>{{-1, -1}}));
+    EXPECT_FALSE(cells.set_room({0, 0}, 0));
+    EXPECT_FALSE(cells.contains({0, 0})) << "nothing has changed";
+    EXPECT_TRUE(cells.set_room({17, 9}, 3));
+    EXPECT_TRUE(cells.set_cut_free({-1, -1}, true));
+    EXPECT_FALSE(cells.set_room({17, 9}, 3)) << "the same again is no change";
+    EXPECT_FALSE(cells.set_cut_free({-1, -1}, true));
+    EXPECT_TRUE(cells.set_cut_free({-1, -1}, false));
     EXPECT_EQ(cells.tile({-1, -1}), RoomTile{});
+    EXPECT_TRUE(cells.is_beside({17, 10}, 3));
+    EXPECT_FALSE(cells.is_beside({18, 10}, 3));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(SplitLine, AlongAWallCutsWhereTheWallEnds) {
         follower.edit(test::split({5.05, 0.6}, {5.05, 5.4}));
         EXPECT_EQ(follower.num_rooms(), 2U) << height_m;
         EXPECT_NE(follower.room_at({4.0, 1.0}), follower.room_at({6.0, 1.0}));
-        const SplitLine line = follower.split_lines().front();
+        const SplitLine line = follower.state().split_lines.front();
         EXPECT_NEAR(std::min(line.from.y, line.to.y), 10 + height_m / 0.05, 5.0);
     }
 }
@@ -88,7 +88,7 @@ TEST(SplitLine, AcrossTheWallOfARoomCutsTheRoomWhereMostOfItLies) {
     EXPECT_NE(follower.room_at({2.0, 5.0}), follower.room_at({2.0, 2.0}));
     EXPECT_TRUE(follower.room_at({2.0, 5.0}) == left || follower.room_at({2.0, 2.0}) == left);
     // The line ends at that wall.
-    EXPECT_LE(follower.split_lines().front().to.x, 108);
+    EXPECT_LE(follower.state().split_lines.front().to.x, 108);
     follower.update_cells(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     EXPECT_EQ(follower.num_rooms(), 3U);
 }

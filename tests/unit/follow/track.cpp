@@ -61,7 +61,7 @@ Rows drawing_by_id(const Segmentation& result) {
 
 /// "kept 1", "split 3 from 1", ...
 Words events_of(const Tracked& tracked) {
-    const Words names{"kept", "born", "split", "merged", "gone"};
+    const Words names{"kept", "born", "grown", "split", "merged", "retired"};
     Words words;
     for (const RoomEvent& event : tracked.events) {
         std::string text = names.at(static_cast<std::size_t>(event.change)) + " " +
@@ -118,7 +118,7 @@ TEST(Track, MergedRoomsAreTheLargest) {
 
 TEST(Track, ARoomWithoutCellsIsGoneAndItsIdIsNotGivenAgain) {
     const Tracked first = track(drawn_rooms({"aaa...."}), earlier_rooms({"aaa.bbb"}));
-    EXPECT_EQ(events_of(first), (Words{"kept 1", "gone 2"}));
+    EXPECT_EQ(events_of(first), (Words{"kept 1", "retired 2"}));
     const Tracked second = track(drawn_rooms({"aaa.bbb"}), earlier_of(first.segmentation));
     EXPECT_EQ(events_of(second), (Words{"kept 1", "born 3"}));
 }
@@ -126,7 +126,7 @@ TEST(Track, ARoomWithoutCellsIsGoneAndItsIdIsNotGivenAgain) {
 TEST(Track, ARoomOfWhichLittleIsLeftInAnotherIsGone) {
     // Two of five cells: neither the same nor merged.
     const Tracked tracked = track(drawn_rooms({"aaaaaaa..."}), earlier_rooms({"aaaaa.bbbb"}));
-    EXPECT_EQ(events_of(tracked), (Words{"kept 1", "gone 2"}));
+    EXPECT_EQ(events_of(tracked), (Words{"kept 1", "retired 2"}));
 }
 
 TEST(Track, ARoomOfWhichLittleWasInAnotherIsBorn) {
@@ -137,7 +137,7 @@ TEST(Track, ARoomOfWhichLittleWasInAnotherIsBorn) {
 TEST(Track, HalfIsEnough) {
     // The new b has two of its cells from a, the earlier b two of its in a.
     const Tracked less = track(drawn_rooms({"bbbbbaaaaaa..."}), earlier_rooms({"...aaaaaabbbbb"}));
-    EXPECT_EQ(events_of(less), (Words{"kept 1", "born 3", "gone 2"}));
+    EXPECT_EQ(events_of(less), (Words{"kept 1", "born 3", "retired 2"}));
     const Tracked half = track(drawn_rooms({"bbbbaaaaaa.."}), earlier_rooms({"..aaaaaabbbb"}));
     EXPECT_EQ(events_of(half), (Words{"kept 1", "split 3 - 1", "merged 2 - 1"}));
 }
@@ -146,7 +146,7 @@ TEST(Track, WhatLiesBeyondTheNewCellsCounts) {
     // One cell is left of a room of 8 m²: that is not the room.
     EarlierRooms earlier = earlier_rooms({"a......"});
     earlier.rooms[0].area_m2 = 8.0;
-    EXPECT_EQ(events_of(track(drawn_rooms({"aaaaaaa"}), earlier)), (Words{"born 2", "gone 1"}));
+    EXPECT_EQ(events_of(track(drawn_rooms({"aaaaaaa"}), earlier)), (Words{"born 2", "retired 1"}));
 }
 
 TEST(Track, AMovedWallTakesNoIdsAlong) {
@@ -192,7 +192,7 @@ TEST(Track, OfNothingIsNothing) {
     EXPECT_EQ(events_of(track(drawn_rooms({"aa.b"}), earlier_rooms({"...."}))),
               (Words{"born 1", "born 2"}));
     EXPECT_EQ(events_of(track(drawn_rooms({"...."}), earlier_rooms({"aa.b"}))),
-              (Words{"gone 1", "gone 2"}));
+              (Words{"retired 1", "retired 2"}));
     EXPECT_TRUE(track({}, {}).events.empty());
 }
 

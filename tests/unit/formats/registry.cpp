@@ -185,7 +185,7 @@ TEST(Results, ReportTellsOfTheRun) {
                     {"preset", "", 0.0, 0.0, "", "", Choice{&preset, {"rooms", "paper"}}}};
     write_results(folder.path(), floor.map, floor.segmentation, info);
     const json report = json::parse(io::read_file(folder.path() / "report.json"));
-    EXPECT_EQ(report["format_version"], 1);
+    EXPECT_EQ(report["format_version"], 2);
     EXPECT_EQ(report["version"], "1.2.3");
     EXPECT_EQ(report["input"], "maps/floor.yaml");
     EXPECT_EQ(report["input_hash"], "fnv1a64:0123456789abcdef");
@@ -224,9 +224,9 @@ TEST(Results, NameRoomsByTheirIds) {
     floor.segmentation.next_id = 2000;
     io::RunInfo info;
     info.previous_colors = {{RoomId{1000}, {1, 2, 3}}};
-    info.events = {{RoomChange::kept, RoomId{1}, "Room 1", {}},
-                   {RoomChange::split, RoomId{1000}, "B", RoomId{1}},
-                   {RoomChange::merged, RoomId{7}, "G", RoomId{1}}};
+    info.events = {{RoomChange::kept, RoomId{1}, {}, "Room 1", ""},
+                   {RoomChange::split, RoomId{1000}, RoomId{1}, "B", "a door"},
+                   {RoomChange::merged, RoomId{7}, RoomId{1}, "G", "no door"}};
     write_results(folder.path(), floor.map, floor.segmentation, info);
     EXPECT_EQ(io::read_image(folder.path() / "rooms.png").row(20)[36], 1000);
     const std::string yaml = io::read_file(folder.path() / "rooms.yaml");
@@ -247,8 +247,10 @@ TEST(Results, NameRoomsByTheirIds) {
     const json previous = json::parse(io::read_file(folder.path() / "report.json"))["previous"];
     EXPECT_EQ(previous["kept"], 1);
     EXPECT_EQ(previous["events"],
-              json::parse(R"([{"event": "split", "room": 1000, "name": "B", "from": 1},
-                              {"event": "merged", "room": 7, "name": "G", "into": 1}])"));
+              json::parse(R"([{"event": "split", "room": 1000, "name": "B", "from": 1,
+                               "reason": "a door"},
+                              {"event": "merged", "room": 7, "name": "G", "into": 1,
+                               "reason": "no door"}])"));
 }
 
 TEST(Results, AreTheSameBytesForAnyNumberOfThreads) {

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/leaf_table.hpp"
 
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -50,21 +49,6 @@ TEST(LeafTable, TakesAnEmptyListAndAPart) {
     EXPECT_TRUE(part.find({0, 8}));
     EXPECT_FALSE(part.find({1, 8}));
     EXPECT_FALSE(part.find({0, 0}));
-}
-
-TEST(LeafTable, RefusesListsThatNoMapGives) {
-    const Root root{{0, 0}, 5};
-    EXPECT_THROW(LeafTable({{{1, 0}, 1, CellState::free}}, root), std::logic_error);
-    EXPECT_THROW(LeafTable({{{32, 0}, 0, CellState::free}}, root), std::logic_error);
-    EXPECT_THROW(LeafTable({{{0, 0}, 3, CellState::free}, {{2, 2}, 0, CellState::free}}, root),
-                 std::logic_error);
-    EXPECT_THROW(LeafTable({{{2, 2}, 0, CellState::free}, {{0, 0}, 4, CellState::free}}, root),
-                 std::logic_error);
-    EXPECT_THROW(LeafTable({{{0, 0}, 0, CellState::free}, {{0, 0}, 1, CellState::free}}, root),
-                 std::logic_error);
-    EXPECT_THROW(LeafTable({{{0, 0}, 6, CellState::free}}, root), std::logic_error);
-    EXPECT_THROW(LeafTable({{{-8, 0}, 3, CellState::free}}, root), std::logic_error);
-    EXPECT_THROW(LeafTable({{{0, 0}, 200, CellState::unknown}}, root), std::logic_error);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "io/file.hpp"
 #include "project/project.hpp"
 #include "project/project_file.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -69,7 +70,7 @@ std::vector<EditState> states(const std::filesystem::path& path) {
 }
 
 std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
-    return building(path)->followed().at(room).name;
+    return building(path)->followed()->rooms.at(room).name;
 }
 
 std::string integrity(const std::filesystem::path& path) {
@@ -191,7 +192,8 @@ TEST(EditHistory, RowsThatCannotBeAreRefused) {
           "UPDATE edits SET other = 1", "UPDATE edits SET other = 60000",
           "UPDATE edits SET kind = NULL", "UPDATE edits SET kind = 'paint'",
           "UPDATE edits SET from_x = 1e300",
-          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)"}) {
+          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)",
+          "INSERT INTO undo_lines VALUES(1, 20, 20, 100000000, 20)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
         EXPECT_NE(error_of([&] { undo(path); }), "no error") << sql;

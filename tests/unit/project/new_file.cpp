@@ -11,7 +11,7 @@
 #include "io/file.hpp"
 #include "tests/unit/io/scratch.hpp"
 
-namespace quadcut::store {
+namespace quadcut::project {
 namespace {
 
 using io::test::error_of;
@@ -50,4 +50,4 @@ TEST(NewFile, ErrorsNameTheFileThatWasGiven) {
 }
 
 }  // namespace
-}  // namespace quadcut::store
+}  // namespace quadcut::project
