@@ -95,7 +95,7 @@ Format report_format() {
             "how the result was made: input, options, times",
             Part::report,
             {"report.json"},
-            [](const Result& result) { return std::vector{to_json(result)}; }};
+            [](const Result& result) { return contents(to_json(result)); }};
 }
 
 }  // namespace quadcut::formats
