@@ -72,7 +72,9 @@ TEST(MatchRooms, NoTwoShareMoreThanWithTheirPartners) {
             const double with_is = is == kNoKin ? 0.0 : shared_by_same(meeting.earlier, is);
             const double with_was = was == kNoKin ? 0.0 : shared_by_same(was, meeting.now);
             EXPECT_GE(std::max(with_is, with_was), meeting.shared);
-            if (is != kNoKin) EXPECT_EQ(kinship.now[is].same, meeting.earlier);
+            if (is != kNoKin) {
+                EXPECT_EQ(kinship.now[is].same, meeting.earlier);
+            }
         }
     }
 }
