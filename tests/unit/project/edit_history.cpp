@@ -155,6 +155,7 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     database.run(
         "INSERT INTO meta VALUES('resolution_m', 0.05), ('min_change_m2', 2.5), "
         "('max_wait_m2_scans', 100.0), ('first_cut_m2', 10.0), ('min_patch_m2', 0.05)");
+    database.run("DELETE FROM meta WHERE key IN ('next_door_id', 'revision')");
     database.run("PRAGMA user_version=1");
     return path;
 }
