@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -98,12 +99,16 @@ bool is_setting(const CommandForm& form, const std::string& flag) {
     return std::find(form.settings.begin(), form.settings.end(), name) != form.settings.end();
 }
 
-/// The first command with such a flag; empty if there is none.
-std::string other_command_with(const std::string& flag) {
+/// Whose flag, or whose option after --set, it is: the first such command. Nothing if it is none's.
+std::optional<InputError> has_other_owner(const CommandForm& form, const std::string& name) {
     for (const Command& command : commands()) {
-        if (find_flag(command.form, flag) != nullptr) return command.form.name;
+        const auto& settings = command.form.settings;
+        const bool is_setting = std::find(settings.begin(), settings.end(), name) != settings.end();
+        if (!is_setting && find_flag(command.form, name) == nullptr) continue;
+        return InputError("unknown option '" + name + "': " + command.form.name + " has it, not " +
+                          form.name);
     }
-    return "";
+    return std::nullopt;
 }
 
 std::string suggestion(const std::vector<std::string>& meant, const std::string& otherwise) {
@@ -168,11 +173,8 @@ InputError unknown_flag(const CommandForm& form, const Setting& given, const std
     if (std::find(planned.begin(), planned.end(), given.name) != planned.end()) {
         return InputError("option " + given.name + ": not in this version of quadcut");
     }
-    const std::string owner = other_command_with(given.name);
-    if (!owner.empty() && !is_setting(form, given.name)) {
-        return InputError("unknown option '" + given.name + "': " + owner + " has it, not " +
-                          form.name);
-    }
+    const auto owned = has_other_owner(form, given.name);
+    if (owned && !is_setting(form, given.name)) return *owned;
     const auto meant = meant_by(form, given.name, value_of(given, next));
     return InputError("unknown option '" + given.name + "'" +
                       suggestion(meant, "'quadcut " + form.name + " --help' lists the options"));
@@ -183,6 +185,8 @@ void check_setting(const CommandForm& form, const std::string& value, const std:
     const auto& known = form.settings;
     const bool is_known = std::find(known.begin(), known.end(), setting.name) != known.end();
     if (is_known && setting.value) return;
+    const auto owned = has_other_owner(form, setting.name);
+    if (owned && !is_known) throw InputError(*owned);
     const std::string shown = value_of(setting, next);
     const auto meant = is_known
                            ? std::vector{std::string(kSetFlag) + " " + setting.name + "=" + shown}

@@ -7,6 +7,7 @@
 #include "formats/registry.hpp"
 #include "io/no_rooms_in_map.hpp"
 #include "io/option_text.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "quadcut/version.hpp"
 
 namespace quadcut {
@@ -40,7 +41,7 @@ std::vector<std::string> followed_files() { return formats::files_of(followed_fo
 Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
                             std::vector<std::string> warnings) {
     Segmentation rooms = building.rooms();
-    rooms.report.num_leaves = building.num_leaves();
+    rooms.report.num_leaves = building.followed()->map.num_leaves();
     rooms.report.warnings = std::move(warnings);
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options));

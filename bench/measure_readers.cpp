@@ -18,6 +18,7 @@
 #include "io/carmen.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 namespace quadcut {
 namespace {
@@ -87,7 +88,7 @@ void add_cost_at_end(const Project& project, Json& row) {
     };
     std::shared_ptr<const Snapshot> building;
     row["snapshot_ms"] = timed([&] { building = project.snapshot(); });
-    row["snapshot_bytes"] = building->bytes();
+    row["snapshot_bytes"] = building->followed()->map.bytes() + building->followed()->cells.bytes();
     row["again_ms"] = timed([&] { static_cast<void>(project.snapshot()); });
     row["map_ms"] = timed([&] { static_cast<void>(building->map()); });
     row["rooms_ms"] = timed([&] { static_cast<void>(building->rooms()); });
@@ -109,12 +110,14 @@ int run(int argc, char** argv) {
     for (const std::string& name : names) {
         const std::vector<Scan> scans = io::read_carmen_log(shared_path("data/logs/" + name)).scans;
         std::printf("%s\n", name.c_str());
+        std::fflush(stdout);
         for (const std::size_t num_readers : {0U, 1U, 50U}) {
             Project project = Project::in_memory({});
             Json row = follow_beside(num_readers, scans, project);
             if (num_readers == 0) add_cost_at_end(project, row);
             row["input"] = name;
             rows.push_back(std::move(row));
+            std::fflush(stdout);
         }
     }
     write_results(output, "readers", std::move(rows));

@@ -11,7 +11,7 @@ int main() {
     quadcut::Follower follower;
     const quadcut::FollowUpdate update = follower.update_cells(two_rooms().states);
     std::cout << update.num_rooms << " rooms";
-    for (const quadcut::LifeEvent& event : update.events) {
+    for (const quadcut::RoomEvent& event : update.events) {
         std::cout << "; room " << quadcut::index(event.room) << ": " << event.reason;
     }
     std::cout << '\n';

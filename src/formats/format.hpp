@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formats/result.hpp"
@@ -14,6 +15,13 @@ namespace quadcut::formats {
 /// What of a result a format tells. Not every result has all: the map only where it was made of
 /// scans, updates only where a robot was followed; a report is of the run that cut it.
 enum class Part : std::uint8_t { rooms, report, map, updates };
+
+/// The bytes of files, of one at first.
+[[nodiscard]] inline std::vector<std::string> contents(std::string bytes) {
+    std::vector<std::string> all;
+    all.push_back(std::move(bytes));
+    return all;
+}
 
 /// One way to write a result. Each has a file of its own in this folder, and a line in
 /// registry.cpp: all commands that write results walk the registry.

@@ -229,7 +229,7 @@ Format geojson_format() {
             "outlines of rooms and lines of doors",
             Part::rooms,
             {"rooms.geojson"},
-            [](const Result& result) { return std::vector{to_geojson(result)}; }};
+            [](const Result& result) { return contents(to_geojson(result)); }};
 }
 
 }  // namespace quadcut::formats

@@ -52,7 +52,7 @@ Format graph_format() {
             "rooms as nodes, doors as edges, as graph libraries read them",
             Part::rooms,
             {"graph.json"},
-            [](const Result& result) { return std::vector{to_json(result.rooms())}; }};
+            [](const Result& result) { return contents(to_json(result.rooms())); }};
 }
 
 }  // namespace quadcut::formats

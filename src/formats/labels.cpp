@@ -86,7 +86,10 @@ Format labels_format() {
             Part::rooms,
             {kImage, "rooms.yaml"},
             [](const Result& result) {
-                return std::vector{encode_ids(result.rooms(), result.executor()), to_yaml(result)};
+                std::vector<std::string> all =
+                    contents(encode_ids(result.rooms(), result.executor()));
+                all.push_back(to_yaml(result));
+                return all;
             }};
 }
 

@@ -11,7 +11,7 @@ Format picture_format() {
             Part::rooms,
             {"rooms_color.png"},
             [](const Result& result) {
-                return std::vector{draw::render_png(result.plan(), result.executor())};
+                return contents(draw::render_png(result.plan(), result.executor()));
             }};
 }
 

@@ -22,7 +22,7 @@ void write_options(io::JsonWriter& json, const std::vector<OptionField>& options
         } else if (std::size_t* const* count = std::get_if<std::size_t*>(&option.value)) {
             json.integer(**count);
         } else if (int* const* whole = std::get_if<int*>(&option.value)) {
-            json.exact_number(**whole);
+            json.number(**whole);
         } else {
             json.text(io::option_text(option));
         }
@@ -95,7 +95,7 @@ Format report_format() {
             "how the result was made: input, options, times",
             Part::report,
             {"report.json"},
-            [](const Result& result) { return std::vector{to_json(result)}; }};
+            [](const Result& result) { return contents(to_json(result)); }};
 }
 
 }  // namespace quadcut::formats

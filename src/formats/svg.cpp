@@ -11,7 +11,7 @@ Format svg_format() {
             "the floor plan for browsers and drawing programs",
             Part::rooms,
             {"rooms.svg"},
-            [](const Result& result) { return std::vector{draw::render_svg(result.plan())}; }};
+            [](const Result& result) { return contents(draw::render_svg(result.plan())); }};
 }
 
 }  // namespace quadcut::formats

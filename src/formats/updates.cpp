@@ -9,7 +9,7 @@ Format updates_format() {
             "what each scan changed, a line of JSON each",
             Part::updates,
             {"updates.jsonl"},
-            [](const Result& result) { return std::vector{std::string(result.updates())}; }};
+            [](const Result& result) { return contents(std::string(result.updates())); }};
 }
 
 }  // namespace quadcut::formats

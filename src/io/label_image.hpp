@@ -33,7 +33,8 @@ inline constexpr std::size_t kIgnoredRegionPixels = 100;
                                         std::size_t ignored_pixels = kIgnoredRegionPixels);
 
 /// Reads regions from an image: each grey value (8 or 16 bits), or each colour, except black, is
-/// one. Regions of at most kIgnoredRegionPixels are left out. Throws InputError as read_image_input and parse_image do.
+/// one. Regions of at most kIgnoredRegionPixels are left out. Errors as read_image_input,
+/// parse_image.
 [[nodiscard]] LabelImage read_label_image(const std::filesystem::path& path);
 
 /// Which cells of a map image are free, row 0 at the top.
@@ -45,7 +46,7 @@ struct FreeMask {
 };
 
 /// A cell is free where the image is brighter than 205 of 255, map_server's "unknown"; colours by
-/// their luma. Throws InputError as read_image_input and parse_image do.
+/// their luma. Errors as read_image_input and parse_image.
 [[nodiscard]] FreeMask read_free_mask(const std::filesystem::path& path);
 
 /// A label raster as a 16-bit grey PNG, turned upright: its lowest row is the last one of the

@@ -51,7 +51,11 @@ std::vector<std::string> encode_map(const GridMap& map) {
     };
     MapKeys keys;
     keys.image = map_files().front();
-    return {encode_pgm(header, fill_row), to_map_yaml(map, keys)};
+    // No list of strings: what is in one can only be copied.
+    std::vector<std::string> bytes;
+    bytes.push_back(encode_pgm(header, fill_row));
+    bytes.push_back(to_map_yaml(map, keys));
+    return bytes;
 }
 
 void add_map(FileBatch& batch, const GridMap& map, const std::string& folder) {

@@ -72,12 +72,13 @@ public:
     }
     /// One of the two ends of its line.
     [[nodiscard]] Point end(std::size_t place) const {
-        const json pointer = value_.value(json::json_pointer("/geometry/coordinates"), json());
-        const bool is_line = pointer.is_array() && pointer.size() == 2;
-        if (!is_line || !pointer[place].is_array() || pointer[place].size() < 2) {
+        const json geometry = value_.value("geometry", json());
+        const json ends = geometry.is_object() ? geometry.value("coordinates", json()) : json();
+        const bool is_line = ends.is_array() && ends.size() == 2;
+        if (!is_line || !ends[place].is_array() || ends[place].size() < 2) {
             fail("geometry", "a line of two points");
         }
-        return {finite(pointer[place][0], "geometry"), finite(pointer[place][1], "geometry")};
+        return {finite(ends[place][0], "geometry"), finite(ends[place][1], "geometry")};
     }
 
 private:

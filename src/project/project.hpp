@@ -25,7 +25,7 @@ namespace quadcut {
 
 /// How far a project is.
 struct ProjectState {
-    /// Grows by one with each change of the map, its rooms or their names; saved with them.
+    /// Grows with each change of the map, its rooms or their names; saved with them.
     std::uint64_t revision = 0;
     std::size_t num_scans = 0;
     std::size_t num_rooms = 0;
@@ -106,10 +106,11 @@ public:
     /// but not before revision `at_least`. It is made at most once a revision, and handed out to
     /// all who ask. A reader waits only while there is none at all, or none so late.
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::uint64_t at_least = 0) const;
+    /// What changed after a revision, for any number of listeners; everything for those who know of
+    /// none (0) or of one of another time that it was open. O(what changed). Waits for no change.
+    [[nodiscard]] Changes changes_since(std::uint64_t revision) const;
     /// After the last change.
     [[nodiscard]] ProjectState state() const;
-    /// What changed after a revision, as Follower::changes_since(); waits for changes.
-    [[nodiscard]] Changes changes_since(std::uint64_t revision) const;
     /// All edits of people, the first first.
     [[nodiscard]] std::vector<EditRecord> history() const;
     [[nodiscard]] std::optional<ScanPosition> position() const;

@@ -202,7 +202,6 @@ void ProjectFile::read_progress() {
     position.first_left_out = meta(database_, "first_left_out").text(0);
     if (!position.source.empty()) progress_.position = std::move(position);
     progress_.is_finished = meta(database_, "is_finished").integer(0, 0, 1) != 0;
-    saved_revision_ = read_revision(database_);
 }
 
 Follower ProjectFile::follower(const RunOptions& run) const {
@@ -248,15 +247,13 @@ void ProjectFile::set_state(const EditRecord& record, const Reversal& inverse) {
     write([&] { write_inverse(database_, record.number, record.state, inverse); });
 }
 
-void ProjectFile::save(const Follower& follower, const Unsaved& unsaved, const Progress& progress) {
+void ProjectFile::save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress) {
     write([&] {
         write_unsaved(unsaved);
-        const Changes changes = follower.changes_since(saved_revision_);
-        write_state(database_, follower.state(), changes.tiles);
+        write_state(database_, state, unsaved.tiles);
         write_progress(database_, progress);
         database_.run("COMMIT");
         progress_ = progress;
-        saved_revision_ = changes.revision;
         database_.run("BEGIN IMMEDIATE");
     });
 }

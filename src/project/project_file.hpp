@@ -29,6 +29,8 @@ struct Progress {
 
 /// What has come since the last save.
 struct Unsaved {
+    /// Of the map.
+    std::vector<Cell> tiles;
     /// Lines of updates.jsonl.
     std::string lines;
     std::vector<std::pair<std::size_t, RoomEvent>> events;
@@ -76,7 +78,7 @@ public:
     void set_state(const EditRecord& record, const Reversal& inverse);
     /// Writes all that has changed since the last save; after a write that has failed, none can be
     /// made. O(changes).
-    void save(const Follower& follower, const Unsaved& unsaved, const Progress& progress);
+    void save(const FollowedMap& state, const Unsaved& unsaved, const Progress& progress);
 
     /// What a file of this project holds, as it was last saved.
     [[nodiscard]] std::string file_bytes() const;
@@ -98,8 +100,6 @@ private:
     Database database_;
     FollowOptions options_;
     Progress progress_;
-    /// Of the follower.
-    std::uint64_t saved_revision_ = 0;
     bool is_broken_ = false;
 };
 

@@ -328,10 +328,6 @@ void write_state(const Database& database, const FollowedMap& state, std::span<c
     write_rest(database, state);
 }
 
-std::uint64_t read_revision(const Database& database) {
-    return static_cast<std::uint64_t>(read_number_or(database, "revision", 0));
-}
-
 FollowedMap read_state(const Database& database, const FollowOptions& options) {
     FollowedMap state = read_meta(database, options.resolution_m);
     require_room_for(state, {});
@@ -351,6 +347,8 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     }
     state.map.commit();
     if (is_placed && state.map.root() != root) throw InputError("tiles lie outside of the map");
+    // Who listens and knows of no revision has seen nothing of this.
+    if (is_placed && state.revision == 0) state.revision = 1;
     if (read_number_or(database, "next_door_id", 0) != 0) {
         read_door_lines(database, state);
         return state;

@@ -24,7 +24,5 @@ void bind_cell(Statement& statement, int place, Cell cell);
 void write_state(const Database& database, const FollowedMap& state, std::span<const Cell> tiles);
 /// Reads it again. Throws InputError for rows that cannot be.
 [[nodiscard]] FollowedMap read_state(const Database& database, const FollowOptions& options);
-/// The number of the state that the file holds.
-[[nodiscard]] std::uint64_t read_revision(const Database& database);
 
 }  // namespace quadcut::project

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "io/room_name.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/follow/followed_map.hpp"
+#include "quadcut/follow/followed_result.hpp"
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/rooms/describe.hpp"
 
@@ -75,10 +77,9 @@ RoomId id_of(const Segmentation& rooms, const std::string& name) {
 }  // namespace
 
 struct Snapshot::Impl {
-    // A followed map is what it is of; of a finished one these are the defaults.
-    Follower follower;
-    bool is_followed = false;
-    std::uint64_t revision = 0;
+    std::optional<FollowedMap> followed;
+    RoomsOptions options;
+    Executor executor;
     Story story;
     std::once_flag has_map;
     GridMap map;
@@ -91,44 +92,41 @@ Snapshot::Snapshot(GridMap map, Segmentation rooms) : impl_(std::make_unique<Imp
     impl_->rooms = std::move(rooms);
 }
 
-Snapshot::Snapshot(const Follower& follower, std::uint64_t revision, Story story)
+Snapshot::Snapshot(FollowedMap followed, const RoomsOptions& options, const Executor& executor,
+                   Story story)
     : impl_(std::make_unique<Impl>()) {
-    impl_->follower = follower;
-    impl_->is_followed = true;
-    impl_->revision = revision;
+    impl_->followed = std::move(followed);
+    impl_->options = options;
+    impl_->executor = executor;
     impl_->story = std::move(story);
 }
 
 Snapshot::~Snapshot() = default;
 
-std::uint64_t Snapshot::revision() const { return impl_->revision; }
-std::size_t Snapshot::num_scans() const { return impl_->follower.num_scans(); }
-std::size_t Snapshot::num_leaves() const { return impl_->follower.map().num_leaves(); }
+const FollowedMap* Snapshot::followed() const {
+    return impl_->followed ? &*impl_->followed : nullptr;
+}
+
+std::uint64_t Snapshot::revision() const { return followed() ? followed()->revision : 0; }
 
 std::size_t Snapshot::num_rooms() const {
-    return impl_->is_followed ? impl_->follower.num_rooms() : impl_->rooms.rooms.size();
+    return followed() ? followed()->rooms.size() : impl_->rooms.rooms.size();
 }
 
 const GridMap& Snapshot::map() const {
-    if (impl_->is_followed) {
-        std::call_once(impl_->has_map, [&] { impl_->map = impl_->follower.map().to_grid(); });
+    if (followed()) {
+        std::call_once(impl_->has_map, [&] { impl_->map = followed()->map.to_grid(); });
     }
     return impl_->map;
 }
 
 const Segmentation& Snapshot::rooms() const {
-    if (impl_->is_followed) {
-        std::call_once(impl_->has_rooms, [&] { impl_->rooms = impl_->follower.rooms(); });
+    if (followed()) {
+        std::call_once(impl_->has_rooms, [&] {
+            impl_->rooms = result_of(*followed(), impl_->options, impl_->executor);
+        });
     }
     return impl_->rooms;
-}
-
-const std::map<std::uint32_t, FollowedRoom>& Snapshot::followed() const {
-    return impl_->follower.state().rooms;
-}
-
-const std::vector<SplitLine>& Snapshot::split_lines() const {
-    return impl_->follower.state().split_lines;
 }
 
 std::string Snapshot::updates() const {
@@ -139,33 +137,31 @@ std::vector<Point> Snapshot::way() const {
     return impl_->story.way ? impl_->story.way() : std::vector<Point>();
 }
 
-std::size_t Snapshot::bytes() const { return impl_->follower.bytes(); }
-
 RoomId Snapshot::room_at(const Point& point) const {
-    if (impl_->is_followed) return impl_->follower.room_at(point);
+    if (followed()) return quadcut::room_at(*followed(), point);
     const std::uint16_t label = label_at(rooms().labels, on_cells(map(), point));
     return label == 0 ? RoomId{} : rooms().rooms[label - std::size_t{1}].id;
 }
 
 Place Snapshot::place_of(const Point& point) const {
-    const RoomId id = impl_->is_followed ? room_at(point) : RoomId{};
+    const RoomId id = followed() ? room_at(point) : RoomId{};
     if (id != RoomId{}) {
         // A default name tells the kind, which goes by all rooms around.
-        const std::string& name = followed().at(static_cast<std::uint32_t>(id)).name;
+        const std::string& name = followed()->rooms.at(static_cast<std::uint32_t>(id)).name;
         if (!name.empty()) return {id, name, true, 0.0};
     }
     return num_rooms() == 0 ? Place{} : place_on(rooms(), map(), point);
 }
 
 bool Snapshot::has_room(RoomId id) const {
-    if (impl_->is_followed) return followed().contains(static_cast<std::uint32_t>(id));
+    if (followed()) return followed()->rooms.contains(static_cast<std::uint32_t>(id));
     return std::any_of(rooms().rooms.begin(), rooms().rooms.end(),
                        [&](const Room& room) { return room.id == id; });
 }
 
 RoomId Snapshot::given_to(const std::string& name) const {
-    if (!impl_->is_followed) return id_of(rooms(), name);
-    for (const auto& [number, room] : followed()) {
+    if (!followed()) return id_of(rooms(), name);
+    for (const auto& [number, room] : followed()->rooms) {
         if (room.name == name) return RoomId{number};
     }
     return RoomId{};

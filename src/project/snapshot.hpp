@@ -5,18 +5,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
-#include "quadcut/follow/followed_map.hpp"
-#include "quadcut/follow/follower.hpp"
+#include "quadcut/base/ids.hpp"
+#include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/rooms/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
+
+struct FollowedMap;
 
 /// The room that a point is in, or else the nearest one; 0 = there is none.
 struct Place {
@@ -38,33 +40,26 @@ public:
 
     /// A finished map. @pre the rooms are of its cells
     Snapshot(GridMap map, Segmentation rooms);
-    /// A followed one. O(tiles): they are copied.
-    Snapshot(const Follower& follower, std::uint64_t revision, Story story);
+    /// A followed one; the options and threads are those that it is followed with.
+    Snapshot(FollowedMap followed, const RoomsOptions& options, const Executor& executor,
+             Story story);
     Snapshot(const Snapshot&) = delete;
     Snapshot& operator=(const Snapshot&) = delete;
     ~Snapshot();
 
     [[nodiscard]] std::uint64_t revision() const;
-    [[nodiscard]] std::size_t num_scans() const;
     [[nodiscard]] std::size_t num_rooms() const;
-    /// The leaves of the map's quadtree; 0 = that is not known.
-    [[nodiscard]] std::size_t num_leaves() const;
+    /// All that is known of a followed building (followed_map.hpp); nothing for a finished map.
+    [[nodiscard]] const FollowedMap* followed() const;
     /// Empty before anything was seen. O(map) when first called.
     [[nodiscard]] const GridMap& map() const;
     /// With doors; without a report where it is a followed map. O(map) when first called. Throws
     /// InputError when there are more rooms than labels.
     [[nodiscard]] const Segmentation& rooms() const;
-    /// By id, what people say of rooms among it; only of a followed map.
-    [[nodiscard]] const std::map<std::uint32_t, FollowedRoom>& followed() const;
-    /// Where people have cut a followed map, in its cells.
-    [[nodiscard]] const std::vector<SplitLine>& split_lines() const;
     /// The lines of updates.jsonl.
     [[nodiscard]] std::string updates() const;
     /// Where the scans were taken that were added since the project was opened.
     [[nodiscard]] std::vector<Point> way() const;
-    /// Bytes held, but for what was made because it was asked for.
-    [[nodiscard]] std::size_t bytes() const;
-
     /// The room at a point of the map frame; 0 = none. O(1).
     [[nodiscard]] RoomId room_at(const Point& point) const;
     /// O(map) outside of the rooms that have a name.

@@ -18,6 +18,7 @@
 #include "project/project.hpp"
 #include "project/schema.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/followed_map.hpp"
 
 // The bytes are a project file; or, when they are no database, changes to the rows of a good one,
 // which get further than damaged pages do.
@@ -38,9 +39,7 @@ constexpr std::int64_t kMaxTilesAcross = 256;
 /// Where the file is, gone at the end of the program.
 class Scratch {
 public:
-    Scratch()
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("quadcut_fuzz_project_" + std::to_string(getpid()))) {
+    Scratch() : folder_(memory() / ("quadcut_fuzz_project_" + std::to_string(getpid()))) {
         std::filesystem::create_directories(folder_);
     }
     Scratch(const Scratch&) = delete;
@@ -58,8 +57,20 @@ public:
     }
 
 private:
+    /// No disk is waited for, where there is such a folder.
+    static std::filesystem::path memory() {
+        const std::filesystem::path shared = "/dev/shm";
+        const bool is_there = access(shared.c_str(), W_OK) == 0;
+        return is_there ? shared : std::filesystem::temp_directory_path();
+    }
+
     std::filesystem::path folder_;
 };
+
+const Scratch& scratch() {
+    static const Scratch own;
+    return own;
+}
 
 /// A hall with a wall across, which people have changed; of every table a row or more.
 std::string good_project() {
@@ -82,6 +93,11 @@ std::string good_project() {
     project.add({{66, 20}, 2, 1, quadcut::CellState::free});
     project.finish();
     return project.file_bytes();
+}
+
+const std::string& good() {
+    static const std::string bytes = good_project();
+    return bytes;
 }
 
 /// Reads values off the bytes; zeros when there are no more.
@@ -160,7 +176,10 @@ void change_rows(const std::filesystem::path& path, std::string_view input) {
 bool is_small(const std::filesystem::path& path) {
     const quadcut::project::Database database(path, Access::read);
     quadcut::project::Statement spans(
-        database, "SELECT 1 FROM tiles HAVING max(x) - min(x) < ?1 AND max(y) - min(y) < ?1");
+        database,
+        "SELECT 1 FROM (SELECT max(x) - min(x) AS width, max(y) - min(y) AS height FROM tiles), "
+        "(SELECT max(abs(value)) AS box FROM meta WHERE key IN ('low_x', 'low_y', 'high_x', "
+        "'high_y')) WHERE coalesce(width, 0) < ?1 AND coalesce(height, 0) < ?1 AND box < 8 * ?1");
     return spans.bind(1, kMaxTilesAcross).step();
 }
 
@@ -170,7 +189,8 @@ void read_all(const Project& project) {
     const quadcut::Segmentation& rooms = building->rooms();
     if (rooms.rooms.size() != building->num_rooms()) __builtin_trap();
     for (const quadcut::Room& room : rooms.rooms) {
-        if (building->followed().count(static_cast<std::uint32_t>(room.id)) == 0) __builtin_trap();
+        if (building->followed()->rooms.count(static_cast<std::uint32_t>(room.id)) == 0)
+            __builtin_trap();
     }
     (void)building->place_of({2.0, 2.0});
     (void)project.history();
@@ -196,8 +216,9 @@ void change_all(Project& project) {
     attempt([&] { project.redo(); });
     attempt([&] { project.undo(); });
     attempt([&] { project.undo(); });
+    const std::shared_ptr<const quadcut::Snapshot> building = project.snapshot();
     std::vector<RoomId> rooms;
-    for (const auto& [id, room] : project.snapshot()->followed()) rooms.push_back(RoomId{id});
+    for (const auto& [id, room] : building->followed()->rooms) rooms.push_back(RoomId{id});
     for (const EditKind kind :
          {EditKind::merge, EditKind::rename, EditKind::unlock, EditKind::lock}) {
         if (rooms.empty()) break;
@@ -240,12 +261,19 @@ void use(const std::filesystem::path& path) {
 
 }  // namespace
 
+extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
+    // All of this is possible with a good one: what is refused there ends the program.
+    const std::filesystem::path path = scratch().write(good());
+    if (!is_small(path)) __builtin_trap();
+    use(path);
+    return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const Scratch scratch;
-    static const std::string good = good_project();
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const bool is_database = bytes.starts_with(kDatabase);
-    const std::filesystem::path path = scratch.write(is_database ? bytes : std::string_view(good));
+    const std::filesystem::path path =
+        scratch().write(is_database ? bytes : std::string_view(good()));
     try {
         if (!is_database) change_rows(path, bytes);
         use(path);

@@ -155,6 +155,13 @@ def write_legends():
     write("legend", "flow.yaml", yaml(more="format_version: 1\nnext_id: 12\nlabels:\n" + flow))
     write("legend", "block.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + block))
     write("legend", "empty.yaml", yaml(more="format_version: 1\nlabels: []\n"))
+    legend = yaml(more="format_version: 1\nlabels:\n" + flow + block).encode() + b"\0"
+    door = ('{"features": [{"properties": {"type": "door", "a": 1, "b": 65535, "width_m": 1.5,'
+            ' "room_a_width_m": 4, "room_b_width_m": 3.5, "confidence": 0.75},'
+            ' "geometry": {"coordinates": [[1, 2], [2.5, 2]]}}]}')
+    write("legend", "doors", legend + door.encode())
+    write("legend", "no_line", legend + door.replace('{"coordinates": ', '[').replace(']]}', ']]]').encode())
+    write("legend", "labels", legend + png(2, 2, 16, 0, [bytes([0, 0, 0, 1]), bytes([0, 7, 0, 1])]))
     write("legend", "twice.yaml", yaml(more="format_version: 1\nlabels:\n" + flow + flow))
 
 
@@ -181,7 +188,23 @@ def room_log():
     return log
 
 
-def project(*edits):
+ONCE_IN_META = (("resolution", "resolution_m"), ("follow.min_change", "min_change_m2"),
+                ("follow.max_wait", "max_wait_m2_scans"), ("follow.first_cut", "first_cut_m2"),
+                ("follow.min_patch", "min_patch_m2"))
+
+
+def make_version_2(database):
+    for option, key in ONCE_IN_META:
+        database.execute("INSERT INTO meta SELECT ?, CAST(value AS REAL) FROM options WHERE name = ?",
+                         (key, option))
+    database.execute("DELETE FROM options WHERE name = 'resolution' OR name LIKE 'follow.%' "
+                     "OR name LIKE 'scan.%'")
+    database.execute("DROP TABLE door_lines")
+    database.execute("DELETE FROM meta WHERE key IN ('next_door_id', 'revision')")
+    database.execute("PRAGMA user_version=2")
+
+
+def project(*edits, change=None):
     """A project file of ours, in pages as small as there are."""
     program = CORPUS.parents[2] / "build/release/quadcut"
     with tempfile.TemporaryDirectory() as folder:
@@ -195,6 +218,8 @@ def project(*edits):
         database = sqlite3.connect(pathlib.Path(folder) / "p", isolation_level=None)
         # Times differ from run to run.
         database.execute("UPDATE updates SET line = '{}' || char(10)")
+        if change is not None:
+            change(database)
         for statement in ("journal_mode=DELETE", "page_size=512"):
             database.execute("PRAGMA " + statement)
         database.execute("VACUUM")
@@ -206,6 +231,7 @@ def write_projects():
     edited = project(("rename", "1", "Hall"), ("split", "-1.9", "0", "1.9", "0"), ("lock", "1"),
                      ("undo",))
     write("project", "edited", edited)
+    write("project", "version_2", project(("rename", "1", "Hall"), change=make_version_2))
     write("project", "cut", edited[:len(edited) // 2])
     broken = bytearray(edited)
     for at in range(1024, len(edited), 700):

@@ -5,16 +5,9 @@
 #include <cstddef>
 #include <functional>
 
+#include "quadcut/base/run_options.hpp"
+
 namespace quadcut {
-
-class Accelerator;
-
-/// How many threads a call may use, and the device that may do parts of it
-/// (spectral/accelerator.hpp); not owned. The result never depends on either.
-struct Executor {
-    int num_threads = 1;
-    Accelerator* accelerator = nullptr;
-};
 
 /// Calls `body(first, last)` for consecutive chunks of 0 .. count, at most `chunk` long each. The
 /// chunks are the same whatever the number of threads, so a body that writes only to slots of its

@@ -7,11 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "quadcut/base/parallel.hpp"
-
 namespace quadcut {
 
 struct OptionField;
+class Accelerator;
+
+/// How many threads a call may use, and the device that may do parts of it
+/// (spectral/accelerator.hpp); not owned. The result never depends on either.
+struct Executor {
+    int num_threads = 1;
+    Accelerator* accelerator = nullptr;
+};
 
 /// Told the name of each stage as it begins.
 using StageCallback = std::function<void(std::string_view stage)>;

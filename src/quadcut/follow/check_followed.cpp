@@ -29,14 +29,6 @@ void check_rooms(const FollowedMap& followed) {
             throw InputError(name + " lies outside of the map");
         }
     }
-    // The ends of lines lie in walls, which need not be seen.
-    Box around = followed.written;
-    if (!around.is_empty()) around = around.grown(followed.in_cells(1.0));
-    for (const SplitLine& line : followed.split_lines) {
-        if (!holds(around, line.from) || !holds(around, line.to)) {
-            throw InputError("a cut by hand lies outside of the map");
-        }
-    }
 }
 
 void check_cells(const FollowedMap& followed) {
@@ -84,6 +76,7 @@ void check(const FollowedMap& followed) {
     }
     require_room_for(followed, {});
     check_rooms(followed);
+    require_in_map(followed, followed.split_lines);
     check_cells(followed);
     check_doors(followed);
     std::size_t num_changed = 0;
@@ -95,6 +88,15 @@ void check(const FollowedMap& followed) {
         num_changed += count;
     }
     if (num_changed != followed.num_changed) throw InputError("changed cells are not all there");
+}
+
+void require_in_map(const FollowedMap& followed, const std::vector<SplitLine>& lines) {
+    Box around = followed.written;
+    if (!around.is_empty()) around = around.grown(followed.in_cells(1.0));
+    for (const SplitLine& line : lines) {
+        if (holds(around, line.from) && holds(around, line.to)) continue;
+        throw InputError("a cut by hand lies outside of the map");
+    }
 }
 
 void require_room_for(const FollowedMap& followed, Box cells) {

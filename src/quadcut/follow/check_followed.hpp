@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <vector>
+
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/follow/followed_map.hpp"
 
@@ -9,6 +11,10 @@ namespace quadcut {
 
 /// Throws InputError when what is known contradicts itself, and says where. O(map).
 void check(const FollowedMap& followed);
+
+/// Throws InputError when a cut by hand lies outside of the map. Its ends lie in walls, which need
+/// not be seen.
+void require_in_map(const FollowedMap& followed, const std::vector<SplitLine>& lines);
 
 /// Throws InputError when cells, together with all that was written, would span too many.
 void require_room_for(const FollowedMap& followed, Box cells);

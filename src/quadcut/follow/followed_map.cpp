@@ -7,6 +7,7 @@
 #include <string>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/map/room.hpp"
 
 namespace quadcut {
@@ -48,6 +49,29 @@ void note_written(FollowedMap& followed, const std::vector<Cell>& tiles, Changes
         followed.changed_tiles[{tile.x, tile.y}] = count;
         followed.num_changed += count;
     }
+}
+
+RoomId room_at(const FollowedMap& followed, const Point& point) {
+    const double x = point.x / followed.map.resolution_m();
+    const double y = point.y / followed.map.resolution_m();
+    // Beyond it no cell has an address. Written so that NaN is nowhere, too.
+    constexpr double kFar = 268435456.0;
+    if (!(std::abs(x) < kFar && std::abs(y) < kFar)) return RoomId{};
+    return RoomId{followed.cells.room(followed.map.cell_at(point))};
+}
+
+Changes everything_in(const FollowedMap& followed) {
+    Changes changes;
+    const Box tiles{tile_of(followed.written.low), tile_of(followed.written.high)};
+    for_each_cell(followed.written.is_empty() ? Box{} : tiles, [&](Cell tile) {
+        if (followed.cells.contains(tile)) changes.tiles.push_back(tile);
+    });
+    for (std::uint32_t id = 1; id < followed.next_id; ++id) changes.rooms.push_back(RoomId{id});
+    for (std::uint32_t id = 1; id < followed.next_door_id; ++id) {
+        changes.doors.push_back(DoorId{id});
+    }
+    changes.revision = followed.revision;
+    return changes;
 }
 
 }  // namespace quadcut

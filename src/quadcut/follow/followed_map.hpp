@@ -88,4 +88,10 @@ void set_room(FollowedMap& followed, Cell cell, std::uint32_t room, Changes& cha
 /// were last cut there.
 void note_written(FollowedMap& followed, const std::vector<Cell>& tiles, Changes& changes);
 
+/// The room at a point of the map frame; 0 = none. O(1).
+[[nodiscard]] RoomId room_at(const FollowedMap& followed, const Point& point);
+
+/// All tiles that were seen, and all rooms and doors that there are or were, as changes.
+[[nodiscard]] Changes everything_in(const FollowedMap& followed);
+
 }  // namespace quadcut

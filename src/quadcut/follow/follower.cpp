@@ -52,14 +52,6 @@ Follower::Follower(const FollowOptions& options, FollowedMap state, const RunOpt
     check(*state_);
 }
 
-Follower::Follower(const Follower& other)
-    : options_(other.options_),
-      executor_(other.executor_),
-      state_(std::make_unique<FollowedMap>(*other.state_)),
-      log_(std::make_unique<ChangeLog>(*other.log_)) {}
-
-Follower& Follower::operator=(const Follower& other) { return *this = Follower(other); }
-
 Follower::Follower(Follower&& other) noexcept = default;
 Follower& Follower::operator=(Follower&& other) noexcept = default;
 Follower::~Follower() = default;
@@ -159,13 +151,7 @@ Changes Follower::changes_since(std::uint64_t revision) const {
     if (revision >= log_->begin()) {
         changes = log_->since(revision);
     } else {
-        const FollowedMap& now = *state_;
-        const Box tiles{tile_of(now.written.low), tile_of(now.written.high)};
-        for_each_cell(now.written.is_empty() ? Box{} : tiles, [&](Cell tile) {
-            if (now.cells.contains(tile)) changes.tiles.push_back(tile);
-        });
-        for (std::uint32_t id = 1; id < now.next_id; ++id) changes.rooms.push_back(RoomId{id});
-        for (std::uint32_t id = 1; id < now.next_door_id; ++id) changes.doors.push_back(DoorId{id});
+        changes = everything_in(*state_);
     }
     changes.revision = state_->revision;
     return changes;
@@ -175,14 +161,7 @@ const OccupancyMap& Follower::map() const { return state_->map; }
 std::size_t Follower::num_scans() const { return state_->num_scans; }
 std::size_t Follower::num_rooms() const { return state_->rooms.size(); }
 
-RoomId Follower::room_at(const Point& point) const {
-    const double x = point.x / options_.resolution_m;
-    const double y = point.y / options_.resolution_m;
-    // Beyond it no cell has an address. Written so that NaN is nowhere, too.
-    constexpr double kFar = 268435456.0;
-    if (!(std::abs(x) < kFar && std::abs(y) < kFar)) return RoomId{};
-    return RoomId{state_->cells.room(state_->map.cell_at(point))};
-}
+RoomId Follower::room_at(const Point& point) const { return quadcut::room_at(*state_, point); }
 
 Segmentation Follower::rooms() const {
     return result_of(*state_, options_.segment.rooms, executor_);

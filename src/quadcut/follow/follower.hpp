@@ -33,8 +33,6 @@ public:
     /// Goes on where state() of a follower with the same options was. Throws InputError when the
     /// state contradicts itself or has another resolution. O(state).
     Follower(const FollowOptions& options, FollowedMap state, const RunOptions& run = {});
-    Follower(const Follower& other);
-    Follower& operator=(const Follower& other);
     Follower(Follower&& other) noexcept;
     Follower& operator=(Follower&& other) noexcept;
     ~Follower();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/check_followed.hpp"
 #include "quadcut/follow/cut_again.hpp"
 #include "quadcut/follow/edits.hpp"
 #include "quadcut/follow/live_doors.hpp"
@@ -135,6 +136,7 @@ Reversal part(FollowedMap& followed, const Reversal& change, Reversal inverse,
     if (begun == 0 || begun >= followed.next_id || followed.rooms.count(begun) != 0) {
         throw InputError("there cannot be a new " + name_of(change.other));
     }
+    require_in_map(followed, change.lines);
     const std::uint32_t from = holder_of_part(followed, change);
     FollowedRoom& whole = followed.rooms.at(from);
     if (whole.is_locked) {

@@ -76,6 +76,8 @@ TEST(Misunderstanding, WhatFollowsSet) {
     EXPECT_EQ(meant({"--set", "bananas"}),
               "option --set: 'bananas': expected NAME=VALUE; 'quadcut options' lists them");
     EXPECT_EQ(meant({"--set", "door_width=3"}), "no error");
+    EXPECT_EQ(meant({"--set", "follow.min_change=3"}),
+              "unknown option 'follow.min_change': follow has it, not paint");
 }
 
 TEST(Misunderstanding, TheFolderThatIsMissing) {

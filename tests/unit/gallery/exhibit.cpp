@@ -80,7 +80,7 @@ TEST(GalleryPage, PutsTheWorstFirst) {
     const std::string page = index_page({{"Maps", {unknown, good, bad}}, {"Nothing", {}}});
     EXPECT_LT(page.find("bad.png"), page.find("good.png"));
     EXPECT_LT(page.find("good.png"), page.find("unknown.png"));
-    EXPECT_NE(page.find("bad &lt;&amp;>"), std::string::npos);
+    EXPECT_NE(page.find("bad &lt;&amp;&gt;"), std::string::npos);
     EXPECT_EQ(page.find("Nothing"), std::string::npos);
 }
 

@@ -55,12 +55,13 @@ TEST(StoredResult, SaysWhichDoorIsNone) {
         R"("a": 1, "b": 2, "width_m": 1, "room_a_width_m": 1, "room_b_width_m": 1, "confidence": 1)";
     EXPECT_EQ(parse_doors(geojson_with(good), "x", rooms).size(), 1U);
     EXPECT_EQ(parse_doors(R"({"features": []})", "x", rooms).size(), 0U);
-    for (const auto& [from, to] :
-         std::vector<std::pair<std::string, std::string>>{{"\"b\": 2", "\"b\": 3"},
-                                                          {"\"b\": 2", "\"b\": 1.5"},
-                                                          {"\"b\": 2", "\"b\": -1e300"},
-                                                          {"\"width_m\": 1", "\"width_m\": \"1\""},
-                                                          {"\"confidence\": 1", "\"other\": 1"}}) {
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"\"b\": 2", "\"b\": 3"},
+             {"\"b\": 2", "\"b\": 1.5"},
+             {"\"b\": 2", "\"b\": -1e300"},
+             {"\"width_m\": 1", "\"width_m\": \"1\""},
+             {"{\"coordinates\": [[0, 1], [2, 3]]}", "[[0, 1]]"},
+             {"\"confidence\": 1", "\"other\": 1"}}) {
         std::string bad = geojson_with(good);
         bad.replace(bad.find(from), from.size(), to);
         const std::string message = error_of([&] { (void)parse_doors(bad, "x.geojson", rooms); });

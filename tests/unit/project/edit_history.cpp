@@ -12,6 +12,7 @@
 #include "io/file.hpp"
 #include "project/project.hpp"
 #include "project/project_file.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -69,7 +70,7 @@ std::vector<EditState> states(const std::filesystem::path& path) {
 }
 
 std::string name_of(const std::filesystem::path& path, std::uint32_t room) {
-    return building(path)->followed().at(room).name;
+    return building(path)->followed()->rooms.at(room).name;
 }
 
 std::string integrity(const std::filesystem::path& path) {
@@ -151,6 +152,7 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     database.run(
         "DELETE FROM options WHERE name LIKE 'follow.%' OR name LIKE 'scan.%' OR name = "
         "'resolution'");
+    database.run("DELETE FROM meta WHERE key = 'next_door_id' OR key = 'revision'");
     database.run(
         "INSERT INTO meta VALUES('resolution_m', 0.05), ('min_change_m2', 2.5), "
         "('max_wait_m2_scans', 100.0), ('first_cut_m2', 10.0), ('min_patch_m2', 0.05)");
@@ -194,7 +196,8 @@ TEST(EditHistory, RowsThatCannotBeAreRefused) {
           "UPDATE edits SET other = 1", "UPDATE edits SET other = 60000",
           "UPDATE edits SET kind = NULL", "UPDATE edits SET kind = 'paint'",
           "UPDATE edits SET from_x = 1e300",
-          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)"}) {
+          "INSERT INTO undo_lines VALUES(1, 0, 0, 99999999999, 0)",
+          "INSERT INTO undo_lines VALUES(1, 20, 20, 100000000, 20)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
         EXPECT_NE(error_of([&] { undo(path); }), "no error") << sql;

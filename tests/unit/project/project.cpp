@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "io/option_text.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 #include "tests/unit/spectral/fake_accelerator.hpp"
@@ -96,11 +97,11 @@ TEST(Project, AMemoryBecomesAFile) {
     project.save();
     const auto path = folder.write("p.quadcut", project.file_bytes());
     const Project saved = Project::open(path, Access::read);
-    EXPECT_EQ(saved.snapshot()->followed().at(1).name, "Kitchen");
+    EXPECT_EQ(saved.snapshot()->followed()->rooms.at(1).name, "Kitchen");
     EXPECT_EQ(saved.history().size(), 1U);
     EXPECT_EQ(saved.snapshot()->updates(), project.snapshot()->updates());
     project.undo();
-    EXPECT_EQ(project.snapshot()->followed().at(1).name, "");
+    EXPECT_EQ(project.snapshot()->followed()->rooms.at(1).name, "");
 }
 
 TEST(Project, AScanThatCannotBeUsedIsLeftOutAndCounted) {
@@ -190,10 +191,10 @@ TEST(Project, EditsAreRowsThatStay) {
     const Edit split = project.history()[1].edit;
     EXPECT_EQ(split.kind, EditKind::split);
     EXPECT_NEAR(split.from.x, 4.0, 0.03);
-    EXPECT_EQ(project.snapshot()->split_lines().size(), 1U);
+    EXPECT_EQ(project.snapshot()->followed()->split_lines.size(), 1U);
     project.add(Raster<CellState>({150, 60}, 12, 12, CellState::occupied));
     EXPECT_EQ(project.state().num_rooms, 2U) << "the line is still a cut";
-    EXPECT_EQ(project.snapshot()->followed().at(1).name, "Hall");
+    EXPECT_EQ(project.snapshot()->followed()->rooms.at(1).name, "Hall");
 }
 
 TEST(Project, ARefusedEditChangesNothing) {
@@ -240,14 +241,45 @@ TEST(Project, ASnapshotIsMadeOnceARevisionAndNeverChanges) {
 
 TEST(Project, FinishingIsDoneOnceUnlessMoreIsSeen) {
     Project project = Project::in_memory({});
+    const auto num_lines = [&] {
+        const std::string lines = project.snapshot()->updates();
+        return std::count(lines.begin(), lines.end(), '\n');
+    };
     project.add(test::bare_hall());
     project.finish();
-    const std::uint64_t finished = project.state().revision;
     project.finish();
-    EXPECT_EQ(project.state().revision, finished);
+    EXPECT_EQ(num_lines(), 2);
     project.add(test::hall_with_wall());
     project.finish();
-    EXPECT_EQ(project.state().revision, finished + 2);
+    EXPECT_EQ(num_lines(), 4);
+}
+
+TEST(Project, ListenersAreToldWhatChangedSinceTheyAskedLast) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "p.quadcut";
+    std::size_t num_tiles = 0;
+    {
+        Project project = Project::create(path, {});
+        EXPECT_EQ(project.changes_since(0).size(), 0U);
+        project.add(test::hall_with_wall());
+        const Changes seen = project.changes_since(0);
+        EXPECT_EQ(seen.revision, project.state().revision);
+        EXPECT_EQ(seen.rooms, (std::vector{RoomId{1}, RoomId{2}}));
+        num_tiles = seen.tiles.size();
+        EXPECT_GT(num_tiles, 400U);
+        project.edit(test::rename(RoomId{2}, "Hall"));
+        const Changes renamed = project.changes_since(seen.revision);
+        EXPECT_GT(renamed.revision, seen.revision);
+        EXPECT_EQ(renamed.rooms, std::vector{RoomId{2}});
+        EXPECT_TRUE(renamed.tiles.empty());
+        EXPECT_EQ(project.changes_since(renamed.revision).size(), 0U);
+        project.save();
+    }
+    const Project project = Project::open(path, Access::read);
+    for (const std::uint64_t revision : {std::uint64_t{0}, std::uint64_t{1000}}) {
+        EXPECT_EQ(project.changes_since(revision).tiles.size(), num_tiles) << "of another life";
+    }
+    EXPECT_EQ(project.changes_since(project.state().revision).size(), 0U);
 }
 
 }  // namespace

@@ -160,14 +160,16 @@ TEST(ProjectFile, AFullDiskLeavesWhatWasSaved) {
     {
         ProjectFile file = ProjectFile::create(path, {}, {});
         Follower follower = file.follower({});
+        const auto save = [&] {
+            file.save(follower.state(), {follower.changes_since(0).tiles, "", {}}, {});
+        };
         follower.update_cells(test::bare_hall());
-        file.save(follower, {}, {});
+        save();
         file.limit_pages(1);
         follower.update_cells(Raster<CellState>({300, 0}, 800, 800, CellState::free));
-        EXPECT_THAT(error_of([&] { file.save(follower, {}, {}); }),
+        EXPECT_THAT(error_of(save),
                     HasSubstr("no space is left; the file holds what was saved before"));
-        EXPECT_THAT(error_of([&] { file.save(follower, {}, {}); }),
-                    HasSubstr("a save has failed; it holds what was saved before"));
+        EXPECT_THAT(error_of(save), HasSubstr("a save has failed; it holds what was saved before"));
     }
     const ProjectFile file(path, Access::read);
     EXPECT_EQ(file.integrity(), "ok");

@@ -13,6 +13,7 @@
 #include "io/file.hpp"
 #include "project/project.hpp"
 #include "quadcut/base/random.hpp"
+#include "quadcut/follow/followed_map.hpp"
 #include "tests/unit/follow/followed.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -26,9 +27,9 @@ constexpr std::size_t kNumReaders = 4;
 std::uint64_t digest_of(const Snapshot& building) {
     const GridMap& map = building.map();
     const std::string updates = building.updates();
-    std::string bytes = std::to_string(building.num_scans()) + " " +
+    std::string bytes = std::to_string(building.followed()->num_scans) + " " +
                         std::to_string(std::count(updates.begin(), updates.end(), '\n')) + " ";
-    for (const auto& [id, room] : building.followed()) {
+    for (const auto& [id, room] : building.followed()->rooms) {
         bytes += std::to_string(id) + room.name + (room.is_locked ? "!" : "") +
                  std::to_string(room.num_cells) + " ";
     }
@@ -61,7 +62,7 @@ void expect_whole(const Snapshot& building) {
     }
     for (const Door& door : rooms.doors) {
         for (const RoomId side : {door.a, door.b}) {
-            EXPECT_TRUE(building.followed().contains(static_cast<std::uint32_t>(side)));
+            EXPECT_TRUE(building.followed()->rooms.contains(static_cast<std::uint32_t>(side)));
         }
     }
 }
@@ -73,7 +74,7 @@ void live(Project& project, const std::vector<Scan>& scans, const AfterEach& aft
         project.add(scans[i]);
         after_each();
         if (i % 20 != 19) continue;
-        const RoomId room{project.snapshot()->followed().begin()->first};
+        const RoomId room{project.snapshot()->followed()->rooms.begin()->first};
         project.edit(test::rename(room, "Room of scan " + std::to_string(i)));
         after_each();
         project.edit(test::lock(room));
@@ -114,8 +115,9 @@ TEST(ProjectThreads, ReadersSeeWhatOneThreadAloneHadAtThatRevision) {
                 last = building->revision();
                 ++num_seen;
                 EXPECT_EQ(digest_of(*building), expected.at(last)) << last;
-                EXPECT_EQ(building->way().size(), building->num_scans());
+                EXPECT_EQ(building->way().size(), building->followed()->num_scans);
                 if (i % 8 == 0) expect_whole(*building);
+                EXPECT_GE(project.changes_since(last).revision, last);
                 EXPECT_LE(project.history().size(), 2 * kNumScans);
             }
         });
@@ -150,7 +152,7 @@ TEST(ProjectThreads, ChangesOfSeveralThreadsAreMadeOneAfterTheOther) {
                 const std::string name = std::to_string(i) + " of " + std::to_string(room);
                 project.edit(test::rename(RoomId{room}, name));
                 const auto building = project.snapshot(project.state().revision);
-                EXPECT_EQ(building->followed().at(room).name, name);
+                EXPECT_EQ(building->followed()->rooms.at(room).name, name);
             }
             --num_editing;
         });
