@@ -39,7 +39,8 @@ public:
           resolution_m_(resolution_m),
           flaw_(kFlawM / resolution_m),
           max_gap_(kMaxGapM / resolution_m),
-          min_wall_(kMinWallM / resolution_m) {
+          min_wall_(kMinWallM / resolution_m),
+          face_(kFaceM / resolution_m) {
         for (int k = 0; k < kNumDirections; ++k) {
             const double angle = std::numbers::pi * k / kNumDirections;
             const Point along{std::cos(angle), std::sin(angle)};
@@ -99,7 +100,7 @@ private:
         return is_free({from.x + cell.x, from.y + cell.y});
     }
     [[nodiscard]] bool has_face(Cell from, const Point& at, const Point& side) const {
-        for (double t = 1.0; t <= kFaceM / resolution_m_; t += 1.0) {
+        for (double t = 1.0; t <= face_; t += 1.0) {
             if (is_free_at(from, {at.x + t * side.x, at.y + t * side.y})) return true;
         }
         return false;
@@ -155,6 +156,7 @@ private:
     double flaw_;
     double max_gap_;
     double min_wall_;
+    double face_;
 };
 
 using Obstacles = std::vector<std::vector<std::size_t>>;
