@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "io/nearest_word.hpp"
@@ -89,12 +90,18 @@ std::vector<std::string> files_of(const Formats& formats) {
 }
 
 void add_files(io::FileBatch& batch, const Formats& formats, const Result& result) {
-    Formats ordered = formats;
-    const auto is_of_others = [](const Format& format) { return format.part != Part::report; };
-    // A report says how long all else took.
-    const auto reports = std::stable_partition(ordered.begin(), ordered.end(), is_of_others);
-    add_some(batch, {ordered.begin(), reports}, result);
-    add_some(batch, {reports, ordered.end()}, result);
+    const auto add_part = [&](const auto& is_meant) {
+        Formats part;
+        std::copy_if(formats.begin(), formats.end(), std::back_inserter(part), is_meant);
+        add_some(batch, part, result);
+    };
+    // The bytes of a map are many, and gone before pictures take memory. A report says how long
+    // all else took.
+    add_part([](const Format& format) { return format.part == Part::map; });
+    add_part([](const Format& format) {
+        return format.part != Part::map && format.part != Part::report;
+    });
+    add_part([](const Format& format) { return format.part == Part::report; });
 }
 
 void write_results(const std::filesystem::path& folder, const GridMap& map,

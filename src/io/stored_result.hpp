@@ -35,9 +35,9 @@ struct StoredResult {
 /// as read_previous_result() and parse_doors().
 [[nodiscard]] StoredResult read_stored_result(const std::filesystem::path& folder);
 
-/// The doors of a rooms.geojson as the format `geojson` writes it; `name` stands in messages. Throws
-/// InputError that names the feature when the text is no JSON, when a door is not written as there,
-/// or is one of a room that is not among `rooms`.
+/// The doors of a rooms.geojson as the format `geojson` writes it; `name` stands in messages.
+/// Throws InputError that names the feature when the text is no JSON, when a door is not written as
+/// there, or is one of a room that is not among `rooms`.
 [[nodiscard]] std::vector<Door> parse_doors(std::string_view bytes, const std::string& name,
                                             std::span<const Room> rooms);
 

@@ -356,7 +356,7 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     // Before version 3 doors were not kept.
     check(state);
     Changes changes;
-    update_doors(state, state.written, options.segment.rooms, {}, changes);
+    update_doors(state, state.written, {}, options.segment.rooms, {}, changes);
     return state;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "quadcut/base/parallel.hpp"
-#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/leaf_table.hpp"
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/spectral/graph.hpp"
 

@@ -88,7 +88,8 @@ void cut_box(FollowedMap& followed, const Box& decided, const SegmentOptions& op
         const Box cells = cells_of_tiles({tile, tile}).intersected(around);
         if (!cells.is_empty()) changed.include(cells);
     }
-    update_doors(followed, changed, options.rooms, executor, update.changes);
+    update_doors(followed, changed, std::move(cut.clearance_m), options.rooms, executor,
+                 update.changes);
     for (auto& [id, room] : followed.rooms) {
         if (!decided.contains(room.box.low) || !decided.contains(room.box.high)) continue;
         room.decided_cells = room.num_cells;
@@ -107,7 +108,7 @@ void cut_seen(FollowedMap& followed, const SegmentOptions& options, const Execut
     fill_split_lines(followed, cut);
     take_over(followed, window, cut, update);
     update.cells_read += cut.cells_read;
-    update_doors(followed, window.decided, options.rooms, executor, update.changes);
+    update_doors(followed, window.decided, {}, options.rooms, executor, update.changes);
     followed.seen.clear();
 }
 

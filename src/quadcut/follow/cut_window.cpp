@@ -225,7 +225,7 @@ std::vector<RoomOpening> find_openings(const Window& window, const Raster<float>
 
 WindowCut cut_window(const FollowedMap& followed, const Window& window,
                      const SegmentOptions& options, const Executor& executor) {
-    const auto [anew, cells_read] = cut_alone(followed, window, options, executor);
+    auto [anew, cells_read] = cut_alone(followed, window, options, executor);
     WindowCut cut;
     cut.cells_read = cells_read;
     const std::vector<std::uint8_t> is_decided = cells_decided(window, anew);
@@ -249,6 +249,9 @@ WindowCut cut_window(const FollowedMap& followed, const Window& window,
     }
     for (KeptPart& part : cut.kept) part.region = cut.regions.at(part.cell);
     cut.openings = find_openings(window, anew.clearance_m, cut.regions);
+    // What was taken for a wall and is none has clearance, too.
+    const bool is_all_known = window.locked.empty() && followed.split_lines.empty();
+    if (is_all_known) cut.clearance_m = std::move(anew.clearance_m);
     return cut;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadcut/follow/beyond.hpp"
+#include "quadcut/follow/rooms_in_box.hpp"
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/layout.hpp"
 #include "quadcut/rooms/open_space.hpp"
@@ -18,71 +19,38 @@ namespace {
 constexpr double kContextM = 10.0;
 constexpr double kSameM = 0.5;
 
-/// What is around a door, from cell (0, 0) on.
-struct Surroundings {
-    /// The rooms' places in `rooms`, from 1 on.
-    Raster<std::uint32_t> labels;
-    std::vector<std::uint32_t> rooms;
-    std::vector<std::size_t> num_cells;
-    Raster<std::uint8_t> free;
-};
-
-Surroundings look_around(const FollowedMap& followed, const Box& box) {
-    Surroundings around{Raster<std::uint32_t>({0, 0}, box.width(), box.height()),
-                        {},
-                        {},
-                        Raster<std::uint8_t>({0, 0}, box.width(), box.height())};
-    std::map<std::uint32_t, std::uint32_t> places;
-    for_each_cell(box, [&](Cell cell) { places.emplace(followed.cells.room(cell), 0); });
-    places.erase(0);
-    for (auto& [room, place] : places) {
-        around.rooms.push_back(room);
-        place = static_cast<std::uint32_t>(around.rooms.size());
-    }
-    around.num_cells.assign(around.rooms.size(), 0);
-    std::size_t i = 0;
-    for_each_cell(box, [&](Cell cell) {
-        const std::size_t at = i++;
-        const std::uint32_t room = followed.cells.room(cell);
-        if (room == 0) return;
-        const std::uint32_t place = places.at(room);
-        ++around.num_cells[place - 1];
-        const bool is_free = followed.map.state(cell) == CellState::free;
-        // What stands in a locked room does not open its border.
-        if (!is_free && followed.rooms.at(room).is_locked) return;
-        around.labels.values[at] = place;
-        around.free.values[at] = is_free ? 1 : 0;
-    });
-    return around;
-}
-
 std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
-                                 const RoomsOptions& options, const Executor& executor) {
-    const Box window =
-        box.grown(followed.in_cells(kContextM)).intersected(followed.written.grown(1));
+                                 Raster<float> clearance, const RoomsOptions& options,
+                                 const Executor& executor) {
+    const bool is_known = !clearance.values.empty();
+    const Box around = box.grown(followed.in_cells(kContextM));
+    const Box window = is_known ? clearance.box() : around.intersected(followed.written.grown(1));
     if (window.is_empty()) return {};
     const double resolution_m = followed.map.resolution_m();
-    Surroundings around = look_around(followed, window);
+    RoomsInBox there = rooms_in_box(followed, window);
     std::vector<Beyond> beyond;
-    for (std::size_t i = 0; i < around.rooms.size(); ++i) {
-        const std::size_t total = followed.rooms.at(around.rooms[i]).num_cells;
-        const Outside outside{{0}, {total - around.num_cells[i]}, {}, 0};
-        beyond.push_back(beyond_of(followed, window, around.rooms[i], outside).front());
+    for (std::size_t i = 0; i < there.rooms.size(); ++i) {
+        const std::size_t total = followed.rooms.at(there.rooms[i]).num_cells;
+        const Outside outside{{0}, {total - there.num_cells[i]}, {}, 0};
+        beyond.push_back(beyond_of(followed, window, there.rooms[i], outside).front());
     }
-    const Raster<float> clearance = clearance_m(
-        open_space(std::move(around.free), resolution_m, options.max_furniture_m2, executor),
-        resolution_m, executor);
+    if (!is_known) {
+        clearance = clearance_m(
+            open_space(std::move(there.free), resolution_m, options.max_furniture_m2, executor),
+            resolution_m, executor);
+    }
+    clearance.origin = {0, 0};
     const Cell low = window.low;
     const Box wanted{{box.low.x - low.x, box.low.y - low.y},
                      {box.high.x - low.x, box.high.y - low.y}};
     std::vector<PlacedDoor> doors = find_doors_in(
-        wanted, beyond, around.labels, static_cast<std::uint32_t>(around.rooms.size()), clearance,
+        wanted, beyond, there.labels, static_cast<std::uint32_t>(there.rooms.size()), clearance,
         {as_it_lies(window), resolution_m, followed.map.world_from_map()}, kMinDoorM, executor);
     for (PlacedDoor& found : doors) {
         found.a = {found.a.x + low.x, found.a.y + low.y};
         found.b = {found.b.x + low.x, found.b.y + low.y};
         for (RoomId* room : {&found.door.a, &found.door.b}) {
-            *room = RoomId{around.rooms[index(*room) - 1]};
+            *room = RoomId{there.rooms[index(*room) - 1]};
         }
     }
     return doors;
@@ -113,8 +81,8 @@ Point middle_of(const Door& door) {
 
 }  // namespace
 
-void update_doors(FollowedMap& followed, const Box& box, const RoomsOptions& options,
-                  const Executor& executor, Changes& changes) {
+void update_doors(FollowedMap& followed, const Box& box, Raster<float> clearance_m,
+                  const RoomsOptions& options, const Executor& executor, Changes& changes) {
     look_up_rooms(followed, changes);
     std::map<DoorId, PlacedDoor> before;
     for (auto at = followed.doors.begin(); at != followed.doors.end();) {
@@ -122,7 +90,8 @@ void update_doors(FollowedMap& followed, const Box& box, const RoomsOptions& opt
         if (box.contains(at->second.a)) before.insert(followed.doors.extract(at));
         at = next;
     }
-    for (const PlacedDoor& found : doors_in(followed, box, options, executor)) {
+    for (const PlacedDoor& found :
+         doors_in(followed, box, std::move(clearance_m), options, executor)) {
         auto same = before.end();
         double least = kSameM;
         for (auto at = before.begin(); at != before.end(); ++at) {

@@ -192,7 +192,7 @@ Reversal apply(FollowedMap& followed, const Reversal& change, const FollowOption
     Box changed;
     for (const Cell tile : update.changes.tiles) changed.include(cells_of_tiles({tile, tile}));
     if (!changed.is_empty()) {
-        update_doors(followed, changed, options.segment.rooms, executor, update.changes);
+        update_doors(followed, changed, {}, options.segment.rooms, executor, update.changes);
     }
     for (const auto& [id, settings] : change.settings) {
         const auto room = followed.rooms.find(id);

@@ -61,6 +61,8 @@ struct WindowCut {
     std::map<std::uint32_t, Outside> outside;
     /// Those within `decided`.
     std::vector<RoomOpening> openings;
+    /// Of the window's cells; empty: unknown.
+    Raster<float> clearance_m;
     /// The size of the graph that was cut.
     std::size_t num_nodes = 0;
     /// In the window and, to see what is connected, outside.

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/map/leaf_table.hpp"
 
-
 #include <gtest/gtest.h>
 
 #include "quadcut/map/occupancy_map.hpp"
