@@ -27,7 +27,7 @@ void run(const Arguments& arguments) {
     set_fields(arguments, reproduce_fields(options));
     options.data = arguments.value(kDataFlag);
     if (arguments.has(kSmallFlag)) options.size = reproduce::Size::small;
-    run_reproduce(arguments, std::move(options));
+    run_reproduce(arguments, options);
 }
 
 }  // namespace

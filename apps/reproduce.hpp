@@ -9,6 +9,6 @@ namespace quadcut {
 
 /// Measures and writes the page; the data that was asked for is checked first, so that a mistake
 /// shows at once. Throws InputError where src/reproduce is left out of the build.
-void run_reproduce(const Arguments& arguments, reproduce::Options options);
+void run_reproduce(const Arguments& arguments, const reproduce::Options& options);
 
 }  // namespace quadcut

@@ -40,14 +40,15 @@ void print_story(const reproduce::Report& report, const std::string& folder) {
 
 }  // namespace
 
-void run_reproduce(const Arguments& arguments, reproduce::Options options) {
+void run_reproduce(const Arguments& arguments, const reproduce::Options& options) {
     const std::filesystem::path folder = output_folder(arguments);
     io::FileBatch output = begin_output(arguments, reproduce::main_files());
     if (options.data) reproduce::check_data(*options.data);
-    options.command = command_of(options);
+    reproduce::Options measured = options;
+    measured.command = command_of(options);
     Progress progress(progress_style_of(arguments));
     const reproduce::Report report = reproduce::measure(
-        options, [&progress](std::string_view part, std::size_t num_done, std::size_t num_parts) {
+        measured, [&progress](std::string_view part, std::size_t num_done, std::size_t num_parts) {
             progress.begin(part);
             progress.update(num_done, num_parts);
         });

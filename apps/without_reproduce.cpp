@@ -7,7 +7,7 @@
 
 namespace quadcut {
 
-void run_reproduce(const Arguments& /*arguments*/, reproduce::Options /*options*/) {
+void run_reproduce(const Arguments& /*arguments*/, const reproduce::Options& /*options*/) {
     throw InputError(
         "reproduce: the paper's experiments were left out of this build of quadcut; "
         "build it with -DQUADCUT_REPRODUCE=ON");

@@ -26,7 +26,6 @@
 namespace {
 
 using quadcut::Access;
-using quadcut::Edit;
 using quadcut::EditKind;
 using quadcut::InputError;
 using quadcut::Project;

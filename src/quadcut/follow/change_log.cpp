@@ -66,11 +66,13 @@ void ChangeLog::forget_what_changed_again() {
     std::set<RoomId> rooms;
     std::set<DoorId> doors;
     num_kept_ = 0;
-    for (auto at = changes_.rbegin(); at != changes_.rend(); ++at) {
-        keep_new(at->tiles, tiles);
-        keep_new(at->rooms, rooms);
-        keep_new(at->doors, doors);
-        num_kept_ += at->size();
+    // From the last to the first.
+    for (std::size_t k = changes_.size(); k > 0; --k) {
+        Changes& changes = changes_[k - 1];
+        keep_new(changes.tiles, tiles);
+        keep_new(changes.rooms, rooms);
+        keep_new(changes.doors, doors);
+        num_kept_ += changes.size();
     }
     std::erase_if(changes_, [](const Changes& changes) { return changes.size() == 0; });
     num_added_ = 0;

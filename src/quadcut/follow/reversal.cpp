@@ -97,7 +97,7 @@ Reversal join(FollowedMap& followed, const Reversal& change, Reversal inverse,
                          " do not touch: a room is connected");
     }
     inverse.border = Border::part;
-    inverse.settings[from] = ended;
+    inverse.settings[from] = static_cast<const RoomSettings&>(ended);
     inverse.lines = take_split_lines(followed, change);
     for (const Cell cell : cells) set_room(followed, cell, into, update.changes);
     whole.num_cells += ended.num_cells;

@@ -198,9 +198,10 @@ void end_room(FollowedMap& followed, std::uint32_t id, const Names& names, Follo
     followed.rooms.erase(id);
 }
 
-void update_rooms(FollowedMap& followed, std::map<std::uint32_t, FollowedRoom> rooms,
+void update_rooms(FollowedMap& followed, const std::map<std::uint32_t, FollowedRoom>& rooms,
                   const Names& names, FollowUpdate& update) {
-    for (auto& [id, room] : rooms) {
+    for (const auto& [id, after] : rooms) {
+        FollowedRoom room = after;
         if (room.num_cells == 0) {
             end_room(followed, id, names, update);
             continue;
@@ -224,10 +225,10 @@ void take_over(FollowedMap& followed, const Window& window, const WindowCut& cut
     update.graph_nodes = std::max(update.graph_nodes, cut.num_nodes);
     const Overlaps overlaps = find_overlaps(window, cut);
     const Names names = name_regions(followed, overlaps, update);
-    auto rooms = rooms_after(followed, cut, overlaps, names);
+    const auto rooms = rooms_after(followed, cut, overlaps, names);
     write_cells(followed, window, cut, names, update);
     note_decided(followed, window, cut);
-    update_rooms(followed, std::move(rooms), names, update);
+    update_rooms(followed, rooms, names, update);
 }
 
 }  // namespace quadcut
