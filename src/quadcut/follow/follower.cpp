@@ -35,13 +35,13 @@ void add_counts(const OccupancyMap& map, const MapUpdate& change, FollowUpdate& 
 }  // namespace
 
 Follower::Follower(const FollowOptions& options, const RunOptions& run)
-    : options_(with_preset(options)),
+    : options_(options),
       executor_(run.executor()),
       state_(std::make_unique<FollowedMap>(options.resolution_m)),
       log_(std::make_unique<ChangeLog>()) {}
 
 Follower::Follower(const FollowOptions& options, FollowedMap state, const RunOptions& run)
-    : options_(with_preset(options)),
+    : options_(options),
       executor_(run.executor()),
       state_(std::make_unique<FollowedMap>(std::move(state))),
       log_(std::make_unique<ChangeLog>(state_->revision)) {

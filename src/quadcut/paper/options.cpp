@@ -7,8 +7,14 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen by silhouette",
+    fields.push_back({"submaps", "", 0, 2000,
+                      "number of submaps; 0: by what they have to do with each "
+                      "other",
                       "eq. (5)", &options.num_submaps});
+    fields.push_back({"paper.first_cut", "", 0, 0,
+                      "how a map is cut when no number is given: in halves, or by k-means first, "
+                      "its number by silhouette",
+                      "", choice(options.first_cut, {"halves", "silhouette"})});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",
                       &options.max_submaps});
@@ -34,9 +40,11 @@ void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
     fields.push_back({"paper.max_route", "", 2, 1e9,
                       "submaps with a longer shortest route, in edges, are divided", "",
                       &options.max_route_edges});
-    fields.push_back({"paper.min_relation", "1/m", 0.0, 1e9,
-                      "submaps related more strongly than this are fused", "eq. (11)",
-                      &options.min_relation_per_m});
+    fields.push_back(
+        {"paper.min_relation", "1/m", 0.0, 1e9,
+         "submaps related more strongly than this are fused; one whose halves are less "
+         "related is divided",
+         "eq. (11)", &options.min_relation_per_m});
 }
 
 }  // namespace quadcut

@@ -153,10 +153,9 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options, const Ru
                      std::span<const Point> trajectory) {
     StageClock clock(run.on_stage);
     const Executor executor = run.executor();
-    Segmentation result =
-        options.preset == Preset::rooms
-            ? segment_rooms(map, options, trajectory, clock, executor)
-            : segment_paper(map, options, trajectory, clock, executor);
+    Segmentation result = options.preset == Preset::rooms
+                              ? segment_rooms(map, options, trajectory, clock, executor)
+                              : segment_paper(map, options, trajectory, clock, executor);
     result.report.stages_ms = clock.finish();
     return result;
 }
