@@ -35,7 +35,7 @@ std::size_t number_by_eigengap(const Graph& region, const PaperOptions& options,
 /// 0: to be chosen by silhouette.
 std::size_t number_wanted(const Graph& region, const PaperOptions& options,
                           const EigenOptions& eigen_options, const Executor& executor) {
-    if (options.num_submaps != 0 || options.number_by == NumberBy::silhouette) {
+    if (options.num_submaps != 0 || options.first_cut == FirstCut::silhouette) {
         return options.num_submaps;
     }
     return number_by_eigengap(region, options, eigen_options, executor);
