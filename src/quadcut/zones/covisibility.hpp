@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -13,43 +12,35 @@
 
 namespace quadcut {
 
-/// A scan sees a room when it sees so much of its floor, or half of it if that is less: what comes
-/// through the gap of a door, or beside a wall that a robot's pose is wrong about, is no sight of
-/// it.
-inline constexpr double kLeastSeenM2 = 1.0;
+/// Floor of a room that a scan saw. Rooms are told by any number that is theirs alone.
+struct SeenFloor {
+    std::uint32_t room = 0;
+    std::uint32_t num_cells = 0;
+    friend bool operator==(const SeenFloor&, const SeenFloor&) = default;
+};
 
-[[nodiscard]] constexpr bool is_seen(double seen_m2, double room_m2) {
-    return seen_m2 > 0.0 && (seen_m2 >= kLeastSeenM2 || seen_m2 >= room_m2 / 2.0);
-}
-
-/// How many scans saw a room, and two rooms both. Rooms are told by any numbers that are theirs
-/// alone: mostly their ids.
+/// Scans that see both of two rooms: each scan counts one in all, and is shared out by the floor
+/// that it sees. Of a scan that sees the share p of its floor in room a and q in room b, the pair
+/// has p q (twice: as a, b and as b, a), and a with itself p^2.
 struct Covisibility {
-    std::map<std::uint32_t, std::size_t> scans_of_room;
-    /// The lower number first; none where no scan saw both.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> scans_of_pair;
-
-    [[nodiscard]] std::size_t num_seeing(std::uint32_t room) const;
-    [[nodiscard]] std::size_t num_seeing_both(std::uint32_t a, std::uint32_t b) const;
-    /// Scans that see one of them, or both.
-    [[nodiscard]] std::size_t num_seeing_either(std::uint32_t a, std::uint32_t b) const;
+    /// The lower number first; none where no scan sees both. A room with itself, too.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> scans;
     friend bool operator==(const Covisibility&, const Covisibility&) = default;
 };
 
-/// Counts one scan. `rooms` that it sees, ascending, each once. O(n^2 log) for n of them.
-void count_scan(Covisibility& counts, std::span<const std::uint32_t> rooms);
+/// Counts a scan, by what it sees of each room. O(n^2 log pairs) for n rooms.
+void count_scan(Covisibility& counts, std::span<const SeenFloor> floors);
 
-/// Room `ended` is a part of room `now` from here on. Scans of the room are exact; those of its
-/// pairs are a sum, at most what scans of the two rooms there can be: which scans saw both parts
-/// beside a third room is not kept.
+/// Room `ended` is a part of room `now` from here on. Exact: as if it had always been.
 void join_rooms(Covisibility& counts, std::uint32_t ended, std::uint32_t now);
 
 /// Room `ended` is no more.
 void forget_room(Covisibility& counts, std::uint32_t ended);
 
-/// Rooms by place; counts by their ids. The weight of two rooms is the number of scans that see
-/// both, divided by the number that see one of them or both (0 .. 1): what a robot did longest does
-/// not outweigh the rest of the building. O(rooms + pairs log).
+/// G_submap by co-visibility: rooms by place, counts by their ids. Weights as they are counted, the
+/// self-loops among them (rule 1 of the paper: relevance in itself): of a normalised cut of this
+/// graph, what is cut of a zone's weight is what scans see elsewhere (docs/decisions/0021).
+/// O(rooms + pairs log rooms).
 [[nodiscard]] Graph covisibility_graph(const Covisibility& counts, const Segmentation& rooms);
 
 }  // namespace quadcut

@@ -70,12 +70,11 @@ Sighting sighting_of(const Scan& scan, const GridMap& map, const TiledLabels& la
             if (rows != 0) labels.count({origin.x + x, origin.y + y}, rows, cells_of_label);
         }
     }
-    Sighting sighting{{scan.world_from_sensor.x, scan.world_from_sensor.y},
-                      static_cast<std::uint16_t>(labels.at(cell_of(sensor))),
-                      {}};
-    for (std::size_t label = 1; label < cells_of_label.size(); ++label) {
+    Sighting sighting{
+        {scan.world_from_sensor.x, scan.world_from_sensor.y}, labels.at(cell_of(sensor)), {}};
+    for (std::uint32_t label = 1; label < cells_of_label.size(); ++label) {
         if (cells_of_label[label] == 0) continue;
-        sighting.floors.push_back({static_cast<std::uint16_t>(label), cells_of_label[label]});
+        sighting.floors.push_back({label, cells_of_label[label]});
     }
     return sighting;
 }
@@ -111,27 +110,26 @@ std::vector<Sighting> sightings_of(const NextScan& next, const GridMap& map,
     return sightings;
 }
 
-std::vector<std::uint16_t> labels_seen(const Sighting& sighting, const GridMap& map,
+std::vector<std::uint32_t> labels_seen(const Sighting& sighting, const GridMap& map,
                                        const Segmentation& rooms) {
     const double cell_m2 = map.resolution_m * map.resolution_m;
-    std::vector<std::uint16_t> seen;
+    std::vector<std::uint32_t> seen;
     for (const SeenFloor& floor : sighting.floors) {
-        const double room_m2 = rooms.rooms[floor.label - std::size_t{1}].area_m2;
-        if (is_seen(floor.num_cells * cell_m2, room_m2)) seen.push_back(floor.label);
+        const double room_m2 = rooms.rooms[floor.room - std::size_t{1}].area_m2;
+        if (is_seen(floor.num_cells * cell_m2, room_m2)) seen.push_back(floor.room);
     }
     return seen;
 }
 
-Covisibility covisibility_of(std::span<const Sighting> sightings, const GridMap& map,
-                             const Segmentation& rooms) {
+Covisibility covisibility_of(std::span<const Sighting> sightings, const Segmentation& rooms) {
     Covisibility counts;
-    std::vector<std::uint32_t> ids;
     for (const Sighting& sighting : sightings) {
-        ids.clear();
-        for (const std::uint16_t label : labels_seen(sighting, map, rooms)) {
-            ids.push_back(static_cast<std::uint32_t>(rooms.rooms[label - std::size_t{1}].id));
+        std::vector<SeenFloor> floors = sighting.floors;
+        for (SeenFloor& floor : floors) {
+            const RoomId id = rooms.rooms[floor.room - std::size_t{1}].id;
+            floor.room = static_cast<std::uint32_t>(id);
         }
-        count_scan(counts, ids);
+        count_scan(counts, floors);
     }
     return counts;
 }

@@ -15,21 +15,22 @@
 
 namespace quadcut {
 
-/// Floor of a room that a scan saw.
-struct SeenFloor {
-    /// As in Segmentation::labels: its place + 1.
-    std::uint16_t label = 0;
-    std::uint32_t num_cells = 0;
-    friend bool operator==(const SeenFloor&, const SeenFloor&) = default;
-};
+/// A scan sees a room when it sees so much of its floor, or half of it if that is less: what comes
+/// through the gap of a door, or beside a wall that a robot's pose is wrong about, is no sight of
+/// it.
+inline constexpr double kLeastSeenM2 = 1.0;
+
+[[nodiscard]] constexpr bool is_seen(double seen_m2, double room_m2) {
+    return seen_m2 > 0.0 && (seen_m2 >= kLeastSeenM2 || seen_m2 >= room_m2 / 2.0);
+}
 
 /// What a scan saw of the rooms of a finished map.
 struct Sighting {
     /// The sensor, metres in the map frame.
     Point at;
-    /// The room that it stood in; 0: none.
-    std::uint16_t own = 0;
-    /// Labels ascending.
+    /// The label that it stood on; 0: none.
+    std::uint32_t own = 0;
+    /// By label (Segmentation::labels), ascending.
     std::vector<SeenFloor> floors;
 };
 
@@ -43,11 +44,11 @@ struct Sighting {
                                                  const Executor& executor = {});
 
 /// The labels of the rooms that a scan sees (is_seen), ascending.
-[[nodiscard]] std::vector<std::uint16_t> labels_seen(const Sighting& sighting, const GridMap& map,
+[[nodiscard]] std::vector<std::uint32_t> labels_seen(const Sighting& sighting, const GridMap& map,
                                                      const Segmentation& rooms);
 
-/// Scans counted by the ids of the rooms that they see, which ascend with their labels.
-[[nodiscard]] Covisibility covisibility_of(std::span<const Sighting> sightings, const GridMap& map,
+/// By the ids of the rooms.
+[[nodiscard]] Covisibility covisibility_of(std::span<const Sighting> sightings,
                                            const Segmentation& rooms);
 
 }  // namespace quadcut
