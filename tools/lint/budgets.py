@@ -14,6 +14,7 @@ WINGS = {
     "rooms": ("base", "map", "spectral", "rooms", "segment"),
     "paper": ("paper",),
     "live": ("follow",),
+    "above": ("zones",),
 }
 MAX_LINES = {"rooms": 7426, "paper": 746, "live": 2881}
 RATCHET = 25
