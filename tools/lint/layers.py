@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
 """Dependency goes down the page: base <- map, base <- spectral; map + spectral <- rooms | paper, which do
-not see each other; both <- segment <- follow <- everything else."""
+not see each other; both <- segment <- zones <- follow <- everything else."""
 
 import re
 
