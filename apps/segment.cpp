@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +34,8 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/independence.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -49,13 +52,14 @@ struct Input {
     /// Of a map: what its greys say of why it may have no rooms.
     std::string why_no_rooms;
     std::uint64_t content_hash = 0;
-    bool is_log = false;
+    /// Of a log.
+    std::unique_ptr<io::ScanSource> scans;
 };
 
 Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
                    StageClock& clock, Progress& progress) {
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
-    const auto source =
+    std::unique_ptr<io::ScanSource> source =
         io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
     const io::SourceFacts& facts = source->facts();
     clock.begin("map");
@@ -68,7 +72,7 @@ Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOp
     input.trajectory = std::move(scanned.trajectory);
     input.warnings = facts.warnings;
     input.content_hash = facts.content_hash;
-    input.is_log = true;
+    input.scans = std::move(source);
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(
             "--free-thresh, --occupied-thresh, --negate and --trust-yaml play no part for a log");
@@ -101,7 +105,7 @@ Input input_of_map(const Arguments& arguments, io::Input bytes,
 /// As many submaps as were asked for are all shown, whether the log's own trajectory crosses them
 /// or not; poses that are given with --poses still say what is inside.
 void keep_the_number(const Arguments& arguments, const SegmentOptions& options, Input& input) {
-    const bool is_own = input.is_log && !poses_of(arguments);
+    const bool is_own = input.scans && !poses_of(arguments);
     if (is_own && options.preset == Preset::paper && options.paper.num_submaps != 0) {
         input.trajectory.clear();
     }
@@ -161,12 +165,36 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
     return std::move(tracked.events);
 }
 
+/// Zones, by what joins their rooms, and how independent they are by what the scans of a log see.
+/// Their rooms are known only now, so that each scan is looked at again.
+void find_zones_in(Input& input, const FollowOptions& options, const RunOptions& run,
+                   StageClock& clock, Segmentation& rooms, io::RunInfo& info) {
+    if (options.zones.count == kNoZones) return;
+    clock.begin("zones");
+    if (!input.scans) {
+        rooms.zones = find_zones(rooms, options.zones);
+        return;
+    }
+    input.scans->rewind();
+    const std::vector<Sighting> sightings =
+        sightings_of([&input] { return input.scans->next(); }, input.map, rooms, options.integrate,
+                     run.executor());
+    rooms.zones = options.zones.weights == ZoneWeights::covisibility
+                      ? find_zones(covisibility_graph(covisibility_of(sightings, rooms), rooms),
+                                   options.zones)
+                      : find_zones(rooms, options.zones);
+    info.independence = {
+        independence_of_zones(sightings, input.map, rooms, rooms.zones.zone_of_room),
+        independence_of_rooms(sightings, input.map, rooms)};
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     FollowOptions all_options;
     SegmentOptions& options = all_options.segment;
     RunOptions run_options;
-    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
+    set_fields(arguments,
+               option_fields(options, all_options.zones, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
     const RunDevice device(arguments, run_options.num_threads);
     run_options.accelerator = device.accelerator();
@@ -197,6 +225,7 @@ void run(const Arguments& arguments) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
     }
+    find_zones_in(input, all_options, run_options, clock, rooms, info);
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
@@ -217,9 +246,10 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
+    ZoneOptions zones;
     IntegrateOptions integrate;
     RunOptions run_options;
-    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
+    const std::vector<OptionField> fields = option_fields(defaults, zones, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =

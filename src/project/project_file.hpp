@@ -33,6 +33,8 @@ struct Unsaved {
     std::vector<Cell> tiles;
     /// Lines of updates.jsonl.
     std::string lines;
+    /// Of the scans that were added.
+    std::vector<Pose> poses;
     std::vector<std::pair<std::size_t, RoomEvent>> events;
 };
 
@@ -61,6 +63,8 @@ public:
     [[nodiscard]] Follower follower(const RunOptions& run) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
+    /// Where its scans were taken, as far as this version or a later one has added them.
+    [[nodiscard]] std::vector<Pose> poses() const;
     /// All edits of people, the first first.
     [[nodiscard]] std::vector<EditRecord> edits() const {
         return read_edits(database_, options_.resolution_m);

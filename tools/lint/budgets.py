@@ -15,7 +15,6 @@ WINGS = {
     "paper": ("paper",),
     "above": ("zones", "route"),
     "live": ("follow",),
-    "above": ("zones",),
 }
 MAX_LINES = {"rooms": 7426, "paper": 746, "above": 300, "live": 2881}
 RATCHET = 25

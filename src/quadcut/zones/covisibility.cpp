@@ -31,18 +31,14 @@ void join_rooms(Covisibility& counts, std::uint32_t ended, std::uint32_t now) {
         if (pair.first == ended) others.emplace_back(pair.second, scans);
         if (pair.second == ended && pair.first != ended) others.emplace_back(pair.first, scans);
     }
-    forget_room(counts, ended);
+    std::erase_if(counts.scans, [ended](const auto& entry) {
+        return entry.first.first == ended || entry.first.second == ended;
+    });
     for (const auto& [other, scans] : others) {
         // What one of them shared with the other, it now shares with itself: both ways round.
         const double times = other == now ? 2.0 : 1.0;
         counts.scans[pair_of(other == ended ? now : other, now)] += times * scans;
     }
-}
-
-void forget_room(Covisibility& counts, std::uint32_t ended) {
-    std::erase_if(counts.scans, [ended](const auto& entry) {
-        return entry.first.first == ended || entry.first.second == ended;
-    });
 }
 
 Graph covisibility_graph(const Covisibility& counts, const Segmentation& rooms) {

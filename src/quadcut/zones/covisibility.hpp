@@ -34,9 +34,6 @@ void count_scan(Covisibility& counts, std::span<const SeenFloor> floors);
 /// Room `ended` is a part of room `now` from here on. Exact: as if it had always been.
 void join_rooms(Covisibility& counts, std::uint32_t ended, std::uint32_t now);
 
-/// Room `ended` is no more.
-void forget_room(Covisibility& counts, std::uint32_t ended);
-
 /// G_submap by co-visibility: rooms by place, counts by their ids. Weights as they are counted, the
 /// self-loops among them (rule 1 of the paper: relevance in itself): of a normalised cut of this
 /// graph, what is cut of a zone's weight is what scans see elsewhere (docs/decisions/0021).

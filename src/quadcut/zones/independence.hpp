@@ -56,6 +56,12 @@ struct Independence {
     [[nodiscard]] std::size_t num_pairs() const { return num_parts * (num_parts - 1) / 2; }
 };
 
+/// Of the zones of a map, by number, and of its rooms, by id.
+struct IndependenceReport {
+    Independence zones;
+    Independence rooms;
+};
+
 /// Of pairs, how many are independent. `of` is &PairIndependence::all or ::given_doors.
 [[nodiscard]] std::size_t num_independent(std::span<const PairIndependence> pairs,
                                           SharedScans PairIndependence::*of);
