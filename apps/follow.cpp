@@ -108,7 +108,7 @@ void run(const Arguments& arguments) {
     for (std::string& warning : warnings_of(*project.position())) {
         warnings.push_back(std::move(warning));
     }
-    Segmentation rooms = followed_rooms(*building, options.segment, std::move(warnings));
+    Segmentation rooms = followed_rooms(*building, options, std::move(warnings));
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     write(output, *building, rooms, info);

@@ -9,6 +9,7 @@
 #include "io/option_text.hpp"
 #include "quadcut/follow/followed_map.hpp"
 #include "quadcut/version.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -38,13 +39,14 @@ io::RunInfo run_info_of(FollowOptions& options, const RunOptions& run) {
 
 std::vector<std::string> followed_files() { return formats::files_of(followed_formats()); }
 
-Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
+Segmentation followed_rooms(const Snapshot& building, const FollowOptions& options,
                             std::vector<std::string> warnings) {
     Segmentation rooms = building.rooms();
     rooms.report.num_leaves = building.followed()->map.num_leaves();
     rooms.report.warnings = std::move(warnings);
+    rooms.zones = find_zones(rooms, building.followed()->covisibility, options.zones);
     if (rooms.rooms.empty()) {
-        rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options));
+        rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options.segment));
     }
     return rooms;
 }

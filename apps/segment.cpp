@@ -171,18 +171,14 @@ void find_zones_in(Input& input, const FollowOptions& options, const RunOptions&
                    StageClock& clock, Segmentation& rooms, io::RunInfo& info) {
     if (options.zones.count == kNoZones) return;
     clock.begin("zones");
-    if (!input.scans) {
-        rooms.zones = find_zones(rooms, options.zones);
-        return;
+    std::vector<Sighting> sightings;
+    if (input.scans) {
+        input.scans->rewind();
+        sightings = sightings_of([&input] { return input.scans->next(); }, input.map, rooms,
+                                 options.integrate, run.executor());
     }
-    input.scans->rewind();
-    const std::vector<Sighting> sightings =
-        sightings_of([&input] { return input.scans->next(); }, input.map, rooms, options.integrate,
-                     run.executor());
-    rooms.zones = options.zones.weights == ZoneWeights::covisibility
-                      ? find_zones(covisibility_graph(covisibility_of(sightings, rooms), rooms),
-                                   options.zones)
-                      : find_zones(rooms, options.zones);
+    rooms.zones = find_zones(rooms, covisibility_of(sightings, rooms), options.zones);
+    if (sightings.empty()) return;
     info.independence = {
         independence_of_zones(sightings, input.map, rooms, rooms.zones.zone_of_room),
         independence_of_rooms(sightings, input.map, rooms)};

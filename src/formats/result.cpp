@@ -36,6 +36,7 @@ Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
     result.labels = on_map(map, segmentation.labels);
     result.rooms = segmentation.rooms;
     result.doors = segmentation.doors;
+    result.zones = segmentation.zones;
     result.next_id = segmentation.next_id;
     result.report = segmentation.report;
     result.hierarchy.levels = segmentation.hierarchy.levels;

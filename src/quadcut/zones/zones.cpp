@@ -118,6 +118,15 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
     return zones;
 }
 
+Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
+                 const ZoneOptions& options) {
+    if (options.count == kNoZones) return {};
+    const bool is_by_scans = options.weights == ZoneWeights::covisibility && !seen.scans.empty();
+    return find_zones(
+        is_by_scans ? covisibility_graph(seen, segmentation) : conductance_graph(segmentation),
+        options);
+}
+
 Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {
     if (options.count == kNoZones) return {};
     return find_zones(conductance_graph(segmentation), options);

@@ -5,6 +5,7 @@
 #include "quadcut/map/zone.hpp"
 #include "quadcut/segment/result.hpp"
 #include "quadcut/spectral/graph.hpp"
+#include "quadcut/zones/covisibility.hpp"
 #include "quadcut/zones/options.hpp"
 
 namespace quadcut {
@@ -17,6 +18,9 @@ namespace quadcut {
 /// eigensolver fails its checks. O(rooms log rooms) beside the eigenpairs.
 [[nodiscard]] Zones find_zones(const Graph& rooms, const ZoneOptions& options);
 
+/// Those of the graph that options.weights says; of conductances where scans saw nothing.
+[[nodiscard]] Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
+                               const ZoneOptions& options);
 /// Those of the graph of conductances.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options);
 
