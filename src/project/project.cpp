@@ -232,7 +232,7 @@ void Project::Impl::save() {
     const Changes unsaved = follower.changes_since(saved_revision);
     file.save(follower.state(),
               {unsaved.tiles, updates->between(num_saved, updates->size()),
-               way->between(num_poses_saved, way->size()), std::exchange(events, {})},
+               std::exchange(events, {}), way->between(num_poses_saved, way->size())},
               progress);
     saved_revision = unsaved.revision;
     num_saved = updates->size();

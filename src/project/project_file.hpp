@@ -33,9 +33,9 @@ struct Unsaved {
     std::vector<Cell> tiles;
     /// Lines of updates.jsonl.
     std::string lines;
-    /// Of the scans that were added.
-    std::vector<Pose> poses;
     std::vector<std::pair<std::size_t, RoomEvent>> events;
+    /// Of the scans that were added.
+    std::vector<Pose> poses = {};
 };
 
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,

@@ -66,7 +66,7 @@ Sighting sighting_of(const Scan& scan, const GridMap& map, const TiledLabels& la
     const Cell origin = tile_of(cells.free.origin());
     for (std::int32_t y = 0; y < cells.free.height() / kTileSide; ++y) {
         for (std::int32_t x = 0; x < cells.free.width() / kTileSide; ++x) {
-            const std::uint64_t rows = cells.free.tile_rows(x, y);
+            const std::uint64_t rows = cells.free.tile_rows(x, y) & ~cells.hit.tile_rows(x, y);
             if (rows != 0) labels.count({origin.x + x, origin.y + y}, rows, cells_of_label);
         }
     }

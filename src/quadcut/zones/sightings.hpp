@@ -35,9 +35,10 @@ struct Sighting {
 };
 
 /// The scans of a log, seen again once the rooms of their map are known. A cell is seen when it is
-/// free by the scan alone (cells_of() in map/scan_cells.hpp) and belongs to a room. In order; the
-/// same on any number of threads. O(cells in sight of each scan / 64 + their mixed tiles), memory
-/// for what is returned: 40 bytes a scan and 8 a room in sight. Errors as evidence_of().
+/// free by the scan alone (cells_of() in map/scan_cells.hpp), has no end point and belongs to a
+/// room. In order; the same on any number of threads. O(cells in sight of each scan / 64 + their
+/// mixed tiles), memory for what is returned: 40 bytes a scan and 8 a room in sight. Errors as
+/// evidence_of().
 [[nodiscard]] std::vector<Sighting> sightings_of(const NextScan& next, const GridMap& map,
                                                  const Segmentation& rooms,
                                                  const IntegrateOptions& options = {},

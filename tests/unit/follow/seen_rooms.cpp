@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/follow/seen_rooms.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -91,9 +93,9 @@ TEST(SeenRooms, OfABuildingAreThoseOfASecondLook) {
     double apart = 0.0;
     for (const auto& [pair, count] : again.scans) {
         const auto counted = follower.state().covisibility.scans.find(pair);
-        const double scans =
-            counted == follower.state().covisibility.scans.end() ? 0.0 : counted->second;
-        apart += std::abs(scans - count) * (pair.first == pair.second ? 1.0 : 2.0);
+        const bool is_known = counted != follower.state().covisibility.scans.end();
+        apart += std::abs((is_known ? counted->second : 0.0) - count) *
+                 (pair.first == pair.second ? 1.0 : 2.0);
     }
     EXPECT_LT(apart, 0.5 * static_cast<double>(scans.size()));
 }

@@ -111,10 +111,10 @@ TEST(Formats, AreFoundByTheirNames) {
     EXPECT_EQ(files_of(find_formats("labels,graph")),
               (std::vector<std::string>{"rooms.png", "rooms.yaml", "graph.json"}));
     EXPECT_EQ(files_of(find_formats("graph,graph")), std::vector<std::string>{"graph.json"});
-    EXPECT_EQ(
-        io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
-        "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map or "
-        "updates: did you mean 'geojson'?");
+    EXPECT_EQ(io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
+              "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map, "
+              "updates "
+              "or g2o-submaps: did you mean 'geojson'?");
     EXPECT_NE(io::test::error_of([] { (void)find_formats("svg,"); }).find("'' is no format"),
               std::string::npos);
 }
