@@ -147,7 +147,7 @@ std::optional<Candidate> LayoutBuilder::draw_candidate(const Skeleton& skeleton,
     const double least = 0.4 + (is_turned ? kReach * std::tan(0.5 * std::abs(turn)) : 0.0);
     const double slack = random_.uniform(0.0, 1.5 + 0.15 * attempt);
     candidate.joint = draw_joint(open, turn, least + 0.5 * slack, least + 0.5 * slack);
-    candidate.has_fire_door = random_.uniform() < 0.55;
+    candidate.has_fire_door = random_.uniform() < options_.fire_doors;
 
     candidate.entry = random_.below(skeleton.ports.size());
     const Frame& port = skeleton.ports[candidate.entry].frame;
@@ -209,6 +209,7 @@ void LayoutBuilder::build_wing(const Skeleton& skeleton, const WingStyle& style,
     for (const Rect& rect : skeleton.footprint) {
         footprint_.push_back(to_polygon(frame, rect));
     }
+    layout_.wing_of_room.resize(plan.rooms.size(), layout_.num_wings);
     ++layout_.num_wings;
 }
 
@@ -293,6 +294,7 @@ void LayoutBuilder::close_end(const OpenEnd& open) {
     } else {
         units.add_room(lot);
     }
+    layout_.wing_of_room.resize(layout_.plan.rooms.size(), layout_.wing_of_room[open.room]);
     footprint_.push_back(space.front());
 }
 
