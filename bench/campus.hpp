@@ -110,15 +110,15 @@ inline GridMap campus_of(int num_rooms, int draw = 0) {
     return map;
 }
 
-/// A building of several wings with fire doors between them, 50 to 120 rooms, empty to full, some
-/// turned: what zones are measured on. Another one for each `draw`.
+/// Three to eight wings of 12 to 24 rooms, joined by walkways, empty to full, some turned: what
+/// zones are measured on. Another one for each `draw`.
 inline sim::BuildingOptions campus_of_wings(std::size_t draw) {
     sim::BuildingOptions options;
     options.seed = kFirstSeed + 2000 + draw;
-    options.num_rooms = 50 + static_cast<int>(draw * 37 % 71);
     options.furniture = kFurniture[draw % kFurniture.size()];
     options.yaw_rad = draw % 4 == 3 ? 0.3 : 0.0;
-    options.fire_doors = 1.0;
+    options.num_wings = 3 + static_cast<int>(draw % 6);
+    options.num_rooms = options.num_wings * (12 + static_cast<int>(draw * 7 % 13));
     return options;
 }
 

@@ -14,7 +14,7 @@ int run(int argc, char** argv) {
     Json all = Json::array();
     for (std::size_t i = 0; i < 60; ++i) {
         sim::BuildingOptions options = campus_of_wings(i % 30);
-        if (i >= 30) options.fire_doors = 0.55;
+        if (i >= 30) options.num_wings = 0;
         const sim::Building building = sim::generate_building(options);
         const Segmentation rooms = segment(building.map);
         const auto wings = wings_of_rooms(building, rooms);

@@ -247,9 +247,9 @@ Building generate_building(const BuildingOptions& options) {
     check(options.turned_wings >= 0.0 && options.turned_wings <= 1.0,
           "turned_wings: expected 0..1");
     check(std::isfinite(options.yaw_rad), "yaw: expected a finite angle");
-    check(options.fire_doors >= 0.0 && options.fire_doors <= 1.0, "fire_doors: expected 0..1");
+    check(options.num_wings >= 0 && options.num_wings <= 20, "wings: expected 0..20");
     const Layout layout = draw_layout({options.seed, options.num_rooms, options.turned_wings,
-                                       options.fire_doors, options.yaw_rad});
+                                       options.num_wings, options.yaw_rad});
     Building building = draw_building(layout.plan, options);
     for (std::size_t i = 0; i < building.rooms.size(); ++i) {
         building.rooms[i].wing = layout.wing_of_room[i];

@@ -16,9 +16,9 @@ struct LayoutOptions {
     int num_rooms = 20;
     /// How often a wing is turned by 15 to 40 degrees against the one that it joins, 0..1.
     double turned_wings = 0.5;
-    /// How often a fire door parts a wing from the one that it joins, 0..1; else they share a
-    /// corridor.
-    double fire_doors = 0.55;
+    /// 0: as many wings as the rooms need. Others are joined by walkways, with a door at either
+    /// end.
+    int num_wings = 0;
     /// Direction of the first wing.
     double yaw_rad = 0.0;
 };
