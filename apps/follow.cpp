@@ -19,6 +19,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
+#include "apps/second_look.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
@@ -28,6 +29,7 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/independence.hpp"
 
 namespace quadcut {
 namespace {
@@ -109,6 +111,12 @@ void run(const Arguments& arguments) {
         warnings.push_back(std::move(warning));
     }
     Segmentation rooms = followed_rooms(*building, options, std::move(warnings));
+    if (rooms.zones.count != 0) {
+        clock.begin("zones");
+        info.independence = independence_of(
+            look_again(*source, building->map(), rooms, options.integrate, run_options),
+            building->map(), rooms);
+    }
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     write(output, *building, rooms, info);

@@ -19,6 +19,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
+#include "apps/second_look.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
@@ -173,15 +174,10 @@ void find_zones_in(Input& input, const FollowOptions& options, const RunOptions&
     clock.begin("zones");
     std::vector<Sighting> sightings;
     if (input.scans) {
-        input.scans->rewind();
-        sightings = sightings_of([&input] { return input.scans->next(); }, input.map, rooms,
-                                 options.integrate, run.executor());
+        sightings = look_again(*input.scans, input.map, rooms, options.integrate, run);
     }
     rooms.zones = find_zones(rooms, covisibility_of(sightings, rooms), options.zones);
-    if (sightings.empty()) return;
-    info.independence = {
-        independence_of_zones(sightings, input.map, rooms, rooms.zones.zone_of_room),
-        independence_of_rooms(sightings, input.map, rooms)};
+    if (input.scans) info.independence = independence_of(sightings, input.map, rooms);
 }
 
 void run(const Arguments& arguments) {

@@ -331,6 +331,8 @@ TEST(Export, PosesOfAProjectAreItsOwn) {
     const std::string project = folder / "p.quadcut";
     expect_done({"follow", folder / "sim/robot.log", "-o", folder / "out", "--project", project,
                  "--set", "zones=3", "--set", "zones.weights=covisibility", "--quiet"});
+    const auto report = nlohmann::json::parse(read_bytes(folder / "out/report.json"));
+    EXPECT_EQ(report.at("independence").at("zones").at("num_parts"), 3);
     std::filesystem::remove(folder / "sim/robot.log");
     expect_done({"export", project, "-o", folder / "graph", "--as", "g2o-submaps"});
     expect_pose_graph(folder / "graph", 3);

@@ -149,4 +149,10 @@ Independence independence_of_rooms(std::span<const Sighting> sightings, const Gr
     return independence_of_zones(sightings, map, rooms, ids);
 }
 
+IndependenceReport independence_of(std::span<const Sighting> sightings, const GridMap& map,
+                                   const Segmentation& rooms) {
+    return {independence_of_zones(sightings, map, rooms, rooms.zones.zone_of_room),
+            independence_of_rooms(sightings, map, rooms)};
+}
+
 }  // namespace quadcut

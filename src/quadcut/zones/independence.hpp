@@ -74,4 +74,8 @@ struct IndependenceReport {
                                                  const GridMap& map, const Segmentation& rooms,
                                                  std::span<const std::uint32_t> zone_of_room);
 
+/// Of both. @pre the rooms are in zones
+[[nodiscard]] IndependenceReport independence_of(std::span<const Sighting> sightings,
+                                                 const GridMap& map, const Segmentation& rooms);
+
 }  // namespace quadcut
