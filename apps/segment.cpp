@@ -33,6 +33,7 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -161,12 +162,19 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
     return std::move(tracked.events);
 }
 
+void add_zones(const ZoneOptions& options, StageClock& clock, Segmentation& rooms) {
+    if (options.count == kNoZones) return;
+    clock.begin("zones");
+    rooms.zones = find_zones(rooms, options);
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     FollowOptions all_options;
     SegmentOptions& options = all_options.segment;
     RunOptions run_options;
-    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
+    set_fields(arguments,
+               option_fields(options, all_options.zones, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
     const RunDevice device(arguments, run_options.num_threads);
     run_options.accelerator = device.accelerator();
@@ -197,6 +205,7 @@ void run(const Arguments& arguments) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
     }
+    add_zones(all_options.zones, clock, rooms);
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
@@ -217,9 +226,10 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
+    ZoneOptions zones;
     IntegrateOptions integrate;
     RunOptions run_options;
-    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
+    const std::vector<OptionField> fields = option_fields(defaults, zones, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =
@@ -235,6 +245,7 @@ Command segment_command() {
                   flag_of(fields, "granularity", "G"),
                   {std::string(kHierarchyFlag), "", "",
                    "rooms.geojson also gets the regions of all granularities, nested"},
+                  flag_of(fields, "zones", "K|auto"),
                   poses_flag(),
                   {std::string(kPreviousFlag), "", "DIR",
                    "an earlier result of the building: rooms that are the same keep id and name; "
