@@ -93,7 +93,7 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
     }
     const ScanPosition position = project.position().value_or(ScanPosition{});
     FollowOptions options = project.options();
-    Segmentation rooms = followed_rooms(*building, options, warnings_of(position));
+    Segmentation rooms = followed_rooms(*building, options.segment, warnings_of(position));
     print_warnings(rooms.report.warnings);
     io::RunInfo info = run_info_of(options, {});
     info.input = position.source;

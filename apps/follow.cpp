@@ -65,6 +65,12 @@ Project begin_project(const Arguments& arguments, const FollowOptions& options,
                 : Project::in_memory(options, source, run);
 }
 
+std::vector<std::string> all_warnings(const io::SourceFacts& facts, const ScanPosition& position) {
+    std::vector<std::string> warnings = facts.warnings;
+    for (std::string& warning : warnings_of(position)) warnings.push_back(std::move(warning));
+    return warnings;
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     io::FileBatch output = begin_output(arguments, followed_files());
@@ -106,16 +112,13 @@ void run(const Arguments& arguments) {
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
-    std::vector<std::string> warnings = facts.warnings;
-    for (std::string& warning : warnings_of(*project.position())) {
-        warnings.push_back(std::move(warning));
-    }
-    Segmentation rooms = followed_rooms(*building, options, std::move(warnings));
+    Segmentation rooms =
+        followed_rooms(*building, options.segment, all_warnings(facts, *project.position()));
     if (rooms.zones.count != 0) {
         clock.begin("zones");
+        const GridMap& map = building->map();
         info.independence = independence_of(
-            look_again(*source, building->map(), rooms, options.integrate, run_options),
-            building->map(), rooms);
+            look_again(*source, map, rooms, options.integrate, run_options), map, rooms);
     }
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
@@ -149,6 +152,7 @@ Command follow_command() {
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
+        flag_of(fields, "zones", "K|auto"),
         flag_of(fields, "threads", "N"),
         device_flag(),
         set_flag(),

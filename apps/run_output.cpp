@@ -9,7 +9,6 @@
 #include "io/option_text.hpp"
 #include "quadcut/follow/followed_map.hpp"
 #include "quadcut/version.hpp"
-#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -39,14 +38,13 @@ io::RunInfo run_info_of(FollowOptions& options, const RunOptions& run) {
 
 std::vector<std::string> followed_files() { return formats::files_of(followed_formats()); }
 
-Segmentation followed_rooms(const Snapshot& building, const FollowOptions& options,
+Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
                             std::vector<std::string> warnings) {
     Segmentation rooms = building.rooms();
     rooms.report.num_leaves = building.followed()->map.num_leaves();
     rooms.report.warnings = std::move(warnings);
-    rooms.zones = find_zones(rooms, building.followed()->covisibility, options.zones);
     if (rooms.rooms.empty()) {
-        rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options.segment));
+        rooms.report.warnings.push_back(io::why_no_rooms(building.map(), options));
     }
     return rooms;
 }

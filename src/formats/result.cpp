@@ -36,9 +36,9 @@ Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
     result.labels = on_map(map, segmentation.labels);
     result.rooms = segmentation.rooms;
     result.doors = segmentation.doors;
-    result.zones = segmentation.zones;
     result.next_id = segmentation.next_id;
     result.report = segmentation.report;
+    result.zones = segmentation.zones;
     result.hierarchy.levels = segmentation.hierarchy.levels;
     if (!result.hierarchy.levels.empty()) {
         result.hierarchy.finest = on_map(map, segmentation.hierarchy.finest);

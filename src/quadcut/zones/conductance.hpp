@@ -8,8 +8,10 @@
 namespace quadcut {
 
 /// G_submap of the paper: rooms as nodes, by their places in Segmentation::rooms, with their areas.
-/// A door's weight is its conductance (docs/decisions/0020); doors between the same two rooms add
-/// up. O(rooms + doors).
+/// A door conducts as well as it is wide, up to 1 m (docs/decisions/0020); doors between the same
+/// two rooms add up. What no doors join, closed rooms and buildings apart, is joined weakly by
+/// nearness, so that the graph is connected: a cut takes a large part away there first, a single
+/// room never. O(doors + rooms), times the rooms outside of the largest component.
 [[nodiscard]] Graph conductance_graph(const Segmentation& segmentation);
 
 }  // namespace quadcut

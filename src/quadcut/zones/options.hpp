@@ -7,17 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "quadcut/map/zone.hpp"
+
 namespace quadcut {
 
 struct OptionField;
-
-/// What joins two rooms in the graph of which zones are made.
-enum class ZoneWeights : std::uint8_t {
-    /// The conductance of the doors between them.
-    conductance,
-    /// Scans that see both; where there are none, as above.
-    covisibility,
-};
 
 /// ZoneOptions::count: no zones are asked for.
 inline constexpr std::size_t kNoZones = std::numeric_limits<std::size_t>::max();

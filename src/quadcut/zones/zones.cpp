@@ -11,15 +11,19 @@
 #include <vector>
 
 #include "quadcut/spectral/eigensolver.hpp"
-#include "quadcut/spectral/laplacian.hpp"
+#include "quadcut/spectral/embedding.hpp"
 #include "quadcut/zones/conductance.hpp"
 #include "quadcut/zones/zone_joiner.hpp"
 
 namespace quadcut {
 namespace {
 
-/// An eigengap is looked for up to so many zones more than there are components.
-constexpr std::size_t kMaxCutsByEigengap = 30;
+// Where the number is to be found: zones have so many rooms on average,
+constexpr std::size_t kMeanRooms = 8;
+/// no cut is one that adds as much as this (a corridor and its rooms: 1),
+constexpr double kMaxEigenvalue = 0.2;
+/// and there are so many of them at most.
+constexpr std::size_t kMaxCuts = 60;
 
 /// The nodes in an order that does not depend on how they are numbered, as far as areas and weights
 /// tell them apart.
@@ -60,36 +64,28 @@ std::size_t num_components(const Graph& graph) {
     return component.empty() ? 0 : 1 + *std::max_element(component.begin(), component.end());
 }
 
-/// (lambda_(k+1) - lambda_k) / lambda_(k+1) by k - 1.
-std::vector<double> relative_gaps(std::span<const double> eigenvalues) {
-    std::vector<double> gaps;
-    for (std::size_t k = 1; k < eigenvalues.size(); ++k) {
-        const double next = eigenvalues[k];
-        gaps.push_back(next > 0.0 ? std::clamp((next - eigenvalues[k - 1]) / next, 0.0, 1.0) : 0.0);
+/// By number of zones k, less 1: how much farther up the next frequency, the root of an eigenvalue,
+/// is than in an even chain of zones, where the k-th is k - 1 times the first. The graph's zeros,
+/// one a component, are the beginning of the chain; there is nothing to say of them.
+std::vector<double> gaps_of(std::span<const double> eigenvalues, std::size_t num_components) {
+    std::vector<double> gaps(std::min(num_components, eigenvalues.size()), 0.0);
+    for (std::size_t k = num_components + 1; k < eigenvalues.size(); ++k) {
+        const auto cuts = static_cast<double>(k - num_components);
+        gaps.push_back(std::sqrt(eigenvalues[k] / eigenvalues[k - 1]) * cuts / (cuts + 1.0));
     }
     return gaps;
 }
 
-/// The number of zones after which the largest gap comes; not the one after the zeros, which is
-/// always there. One zone each where nothing is left to be cut.
-std::size_t number_by_eigengap(std::span<const double> gaps, std::size_t num_components) {
-    if (gaps.size() <= num_components) return num_components;
-    const auto first = gaps.begin() + static_cast<std::ptrdiff_t>(num_components);
-    return static_cast<std::size_t>(std::max_element(first, gaps.end()) - gaps.begin()) + 1;
-}
-
-/// Eqs. (5) and (6): the first eigenvectors as columns, each row divided by sqrt(d).
-Embedding embed_rooms(const Graph& graph, const Eigenpairs& pairs, std::size_t num_dims) {
-    Embedding samples = embed(pairs, num_dims, RowScaling::none);
-    const Laplacian laplacian(graph, LaplacianKind::degree);
-    for (std::size_t i = 0; i < samples.num_samples; ++i) {
-        const double root = laplacian.null_vector()[i];
-        if (root == 0.0) continue;
-        for (std::size_t j = 0; j < samples.num_dims; ++j) {
-            samples.values[i * samples.num_dims + j] /= root;
-        }
+/// The number of zones with the largest gap, among those that are cuts of something.
+std::size_t number_by_gap(const Zones& zones, std::size_t num_rooms, std::size_t num_components) {
+    const std::size_t most =
+        std::min(zones.gaps.size(), num_components + (num_rooms - num_components) / kMeanRooms);
+    std::size_t best = num_components;
+    for (std::size_t k = num_components + 1; k <= most; ++k) {
+        if (zones.eigenvalues[k - 1] >= kMaxEigenvalue) break;
+        if (best == num_components || zones.gaps[k - 1] > zones.gaps[best - 1]) best = k;
     }
-    return samples;
+    return best;
 }
 
 }  // namespace
@@ -100,15 +96,18 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
     const std::vector<std::uint32_t> order = order_by_content(rooms);
     const Graph graph = in_order(rooms, order);
     const std::size_t least = num_components(graph);
-    const std::size_t most = std::max(options.count, least + kMaxCutsByEigengap);
+    const std::size_t most = std::max(options.count, least + kMaxCuts);
     // Eq. (4) of the graph of rooms.
     const Eigenpairs pairs = smallest_eigenpairs(graph, LaplacianKind::degree, most + 1);
+    zones.weights = options.weights;
     zones.eigenvalues = pairs.values;
-    zones.gaps = relative_gaps(pairs.values);
+    zones.gaps = gaps_of(pairs.values, least);
     const std::size_t wanted =
-        options.count != 0 ? options.count : number_by_eigengap(zones.gaps, least);
+        options.count != 0 ? options.count : number_by_gap(zones, graph.num_nodes(), least);
     const std::size_t count = std::clamp(wanted, least, graph.num_nodes());
-    const Clustering clusters = join_into_zones(graph, embed_rooms(graph, pairs, count), count);
+    // Eqs. (5) and (6): rows of the eigenvectors, divided by sqrt(d).
+    const Clustering clusters =
+        join_into_zones(graph, embed(pairs, count, RowScaling::degree), count);
 
     std::vector<std::uint32_t> cluster_of_room(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) cluster_of_room[order[i]] = clusters.labels[i];
@@ -121,15 +120,14 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
 Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
                  const ZoneOptions& options) {
     if (options.count == kNoZones) return {};
-    const bool is_by_scans = options.weights == ZoneWeights::covisibility && !seen.scans.empty();
-    return find_zones(
-        is_by_scans ? covisibility_graph(seen, segmentation) : conductance_graph(segmentation),
-        options);
+    if (options.weights == ZoneWeights::covisibility && !seen.scans.empty()) {
+        return find_zones(covisibility_graph(seen, segmentation), options);
+    }
+    return find_zones(conductance_graph(segmentation), {options.count, ZoneWeights::conductance});
 }
 
 Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {
-    if (options.count == kNoZones) return {};
-    return find_zones(conductance_graph(segmentation), options);
+    return find_zones(segmentation, {}, options);
 }
 
 }  // namespace quadcut

@@ -11,17 +11,19 @@
 namespace quadcut {
 
 /// The clustering of the paper's G_submap: the normalised cut of a graph of rooms. Its smallest
-/// eigenvectors are solved, the rows divided by sqrt(d) clustered along the edges. As many zones as
-/// options.count says, by the largest relative eigengap when that is 0, none for kNoZones; never
-/// fewer than the graph has components, nor more than it has nodes. The same zones in whatever
-/// order the rooms are, but for rooms of equal area and weight. Throws NumericalError if the
-/// eigensolver fails its checks. O(rooms log rooms) beside the eigenpairs.
+/// eigenvectors are solved, their rows, divided by sqrt(d), clustered along the edges, so that each
+/// zone is connected. As many zones as options.count says; as the largest gap between eigenvalues
+/// tells when that is 0, and none for kNoZones; never fewer than the graph has components, nor more
+/// than nodes. The same zones in whatever order the rooms are, as far as areas and weights tell
+/// them apart. Throws NumericalError if the eigensolver fails its checks. O(edges log edges) beside
+/// the eigenpairs.
 [[nodiscard]] Zones find_zones(const Graph& rooms, const ZoneOptions& options);
 
-/// Those of the graph that options.weights says; of conductances where scans saw nothing.
+/// The zones of a result, by what options.weights says joins its rooms; by its doors
+/// (conductance.hpp) where scans saw nothing.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
                                const ZoneOptions& options);
-/// Those of the graph of conductances.
+/// By its doors.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options);
 
 }  // namespace quadcut
