@@ -119,7 +119,8 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
 
 Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {
     if (options.count == kNoZones) return {};
-    return find_zones(conductance_graph(segmentation), options);
+    const Graph rooms = joined_by_nearness(conductance_graph(segmentation), segmentation.rooms);
+    return find_zones(rooms, options);
 }
 
 }  // namespace quadcut

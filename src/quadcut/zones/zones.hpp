@@ -18,7 +18,8 @@ namespace quadcut {
 /// the eigenpairs.
 [[nodiscard]] Zones find_zones(const Graph& rooms, const ZoneOptions& options);
 
-/// The zones of a result, from its doors (conductance.hpp).
+/// The zones of a result, from its doors (conductance.hpp); rooms that no door joins to others are
+/// of the zone of the nearest.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options);
 
 }  // namespace quadcut
