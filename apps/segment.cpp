@@ -36,6 +36,7 @@
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/zones/independence.hpp"
+#include "quadcut/zones/submaps.hpp"
 #include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
@@ -114,10 +115,6 @@ void keep_the_number(const Arguments& arguments, const SegmentOptions& options, 
 
 /// What was asked for and plays no part.
 void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
-    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
-        input.warnings.emplace_back(
-            "--submaps plays no part in the preset rooms; see --preset paper");
-    }
     if (options.preset == Preset::paper && options.with_hierarchy) {
         input.warnings.emplace_back("--hierarchy plays no part in the preset paper");
     }
@@ -209,6 +206,10 @@ void run(const Arguments& arguments) {
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(all_options, run_options);
     Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
+    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
+        rooms = joined_into_submaps(std::move(rooms), options.paper.num_submaps, input.map,
+                                    run_options.executor());
+    }
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
         if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);

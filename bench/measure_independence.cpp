@@ -19,7 +19,6 @@
 #include "io/scanned_map.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
-#include "quadcut/zones/conductance.hpp"
 #include "quadcut/zones/independence.hpp"
 #include "quadcut/zones/zones.hpp"
 
@@ -41,7 +40,7 @@ Json counts_of(const Independence& parts, bool (*is_meant)(const PairIndependenc
              num_left + num_independent(pairs, &PairIndependence::given_doors)}};
 }
 
-/// Room of the largest part, of all rooms.
+/// Of all rooms' floor, what the largest part has.
 double largest_share(const Segmentation& rooms, const std::vector<std::uint32_t>& part_of_room) {
     std::map<std::uint32_t, double> area_m2;
     double all_m2 = 0.0;
@@ -71,16 +70,16 @@ public:
         std::vector<std::uint32_t> own;
         for (std::uint32_t i = 0; i < rooms.rooms.size(); ++i) own.push_back(i + 1);
         add(rows, "rooms", rooms, sightings, own);
-        const Graph seen = covisibility_graph(covisibility_of(sightings, rooms), rooms);
-        const Graph open = conductance_graph(rooms);
+        const Covisibility seen = covisibility_of(sightings, rooms);
         for (const std::size_t count : {kNumZones, std::size_t{0}}) {
-            ZoneOptions options;
-            options.count = count;
             const std::string number = count == 0 ? ", by eigengap" : ", ten";
+            const auto zones = [&](ZoneWeights weights) {
+                return find_zones(rooms, seen, {count, weights}).zone_of_room;
+            };
             add(rows, "zones by co-visibility" + number, rooms, sightings,
-                find_zones(seen, options).zone_of_room);
+                zones(ZoneWeights::covisibility));
             add(rows, "zones by conductance" + number, rooms, sightings,
-                find_zones(open, options).zone_of_room);
+                zones(ZoneWeights::conductance));
         }
         SegmentOptions paper;
         paper.preset = Preset::paper;

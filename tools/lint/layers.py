@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "rooms": FLOORS,
     "paper": FLOORS,
     "segment": FLOORS | {"rooms", "paper"},
-    "zones": FLOORS | {"segment"},
+    "zones": FLOORS | {"rooms", "segment"},
     "follow": CORE,
     "io": CORE,
     "draw": CORE | {"io"},

@@ -15,8 +15,8 @@ enum class ZoneWeights : std::uint8_t {
     covisibility,
 };
 
-/// Parts of a building: sets of rooms, each room in one. Zones are connected through doors, but for
-/// rooms that no doors join to others: those are zones of their own.
+/// Parts of a building: sets of rooms, each room in one, connected through doors as far as there
+/// are any.
 struct Zones {
     /// 0: none were asked for.
     std::uint32_t count = 0;

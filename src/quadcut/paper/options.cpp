@@ -7,7 +7,9 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen by silhouette",
+    fields.push_back({"submaps", "", 0, 2000,
+                      "number of submaps, in the preset rooms of regions; 0: by silhouette, or as "
+                      "rooms are found",
                       "eq. (5)", &options.num_submaps});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",

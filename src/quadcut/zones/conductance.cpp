@@ -66,12 +66,22 @@ Graph conductance_graph(const Segmentation& segmentation) {
         edges.push_back(
             {place_of.at(door.a), place_of.at(door.b), std::min(door.width_m, kFullWidthM)});
     }
-    while (true) {
-        Graph graph = build_graph(edges, area_m2);
-        const std::vector<WeightedEdge> near = edges_to_nearest(graph, segmentation.rooms);
-        if (near.empty()) return graph;
-        edges.insert(edges.end(), near.begin(), near.end());
+    return build_graph(edges, std::move(area_m2));
+}
+
+Graph joined_by_nearness(Graph graph, std::span<const Room> rooms) {
+    std::vector<WeightedEdge> near = edges_to_nearest(graph, rooms);
+    while (!near.empty()) {
+        for (std::uint32_t node = 0; node < graph.num_nodes(); ++node) {
+            const auto neighbours = graph.neighbours(node);
+            for (std::size_t k = 0; k < neighbours.size() && neighbours[k] <= node; ++k) {
+                near.push_back({node, neighbours[k], graph.neighbour_weights(node)[k]});
+            }
+        }
+        graph = build_graph(near, std::move(graph.area_m2));
+        near = edges_to_nearest(graph, rooms);
     }
+    return graph;
 }
 
 }  // namespace quadcut

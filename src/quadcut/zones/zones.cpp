@@ -120,10 +120,12 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
 Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
                  const ZoneOptions& options) {
     if (options.count == kNoZones) return {};
-    if (options.weights == ZoneWeights::covisibility && !seen.scans.empty()) {
-        return find_zones(covisibility_graph(seen, segmentation), options);
-    }
-    return find_zones(conductance_graph(segmentation), {options.count, ZoneWeights::conductance});
+    const bool is_by_scans = options.weights == ZoneWeights::covisibility && !seen.scans.empty();
+    const Graph rooms =
+        is_by_scans ? covisibility_graph(seen, segmentation) : conductance_graph(segmentation);
+    return find_zones(
+        joined_by_nearness(rooms, segmentation.rooms),
+        {options.count, is_by_scans ? ZoneWeights::covisibility : ZoneWeights::conductance});
 }
 
 Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {

@@ -20,7 +20,8 @@ namespace quadcut {
 [[nodiscard]] Zones find_zones(const Graph& rooms, const ZoneOptions& options);
 
 /// The zones of a result, by what options.weights says joins its rooms; by its doors
-/// (conductance.hpp) where scans saw nothing.
+/// (conductance.hpp) where scans saw nothing. Rooms that nothing joins to others are of the zone of
+/// the nearest.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
                                const ZoneOptions& options);
 /// By its doors.
