@@ -17,24 +17,30 @@
 namespace quadcut::formats {
 namespace {
 
+/// Its yaw within half a turn, as atan2 has it: a sum of angles may be anything.
+Pose within_half_a_turn(Pose pose) {
+    pose.yaw_rad = std::remainder(pose.yaw_rad, 2.0 * std::numbers::pi);
+    return pose;
+}
+
 std::string line_of(const std::string& start, const Pose& pose) {
     std::string line = start;
-    // What atan2 returns; a sum of angles may be anything.
-    const double yaw_rad = std::remainder(pose.yaw_rad, 2.0 * std::numbers::pi);
-    for (const double value : {pose.x, pose.y, yaw_rad}) line += " " + io::exact(value);
+    for (const double value : {pose.x, pose.y, pose.yaw_rad}) line += " " + io::exact(value);
     return line;
 }
 
 /// VERTEX_SE2 id x y yaw, then EDGE_SE2 from to x y yaw and the upper half of the information
 /// matrix. Nothing but these: some readers take no comment.
-std::string graph_of(const std::vector<Pose>& poses) {
+std::string graph_of(std::vector<Pose> poses) {
+    // First of all, so that a graph that is read again is the same.
+    for (Pose& pose : poses) pose = within_half_a_turn(pose);
     std::string text;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         text += line_of("VERTEX_SE2 " + std::to_string(i), poses[i]) + "\n";
     }
     for (std::size_t i = 1; i < poses.size(); ++i) {
         text += line_of("EDGE_SE2 " + std::to_string(i - 1) + " " + std::to_string(i),
-                        compose(inverse(poses[i - 1]), poses[i])) +
+                        within_half_a_turn(compose(inverse(poses[i - 1]), poses[i]))) +
                 " 1 0 0 1 0 1\n";
     }
     return text;

@@ -17,7 +17,8 @@ namespace {
 io::test::DrawnFloor two_zones() {
     io::test::DrawnFloor floor =
         io::test::drawn_floor({"#######", "#aa#bb#", "#aaabb#", "#aa#bb#", "#######"}, 8);
-    floor.segmentation.zones = {2, {2, 1}, {}, {}};
+    floor.segmentation.zones.count = 2;
+    floor.segmentation.zones.zone_of_room = {2, 1};
     return floor;
 }
 
