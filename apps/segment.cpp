@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
+#include "apps/second_look.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
@@ -33,6 +35,7 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/independence.hpp"
 #include "quadcut/zones/submaps.hpp"
 #include "quadcut/zones/zones.hpp"
 
@@ -51,13 +54,14 @@ struct Input {
     /// Of a map: what its greys say of why it may have no rooms.
     std::string why_no_rooms;
     std::uint64_t content_hash = 0;
-    bool is_log = false;
+    /// Of a log.
+    std::unique_ptr<io::ScanSource> scans;
 };
 
 Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
                    StageClock& clock, Progress& progress) {
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
-    const auto source =
+    std::unique_ptr<io::ScanSource> source =
         io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
     const io::SourceFacts& facts = source->facts();
     clock.begin("map");
@@ -70,7 +74,7 @@ Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOp
     input.trajectory = std::move(scanned.trajectory);
     input.warnings = facts.warnings;
     input.content_hash = facts.content_hash;
-    input.is_log = true;
+    input.scans = std::move(source);
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(
             "--free-thresh, --occupied-thresh, --negate and --trust-yaml play no part for a log");
@@ -103,7 +107,7 @@ Input input_of_map(const Arguments& arguments, io::Input bytes,
 /// As many submaps as were asked for are all shown, whether the log's own trajectory crosses them
 /// or not; poses that are given with --poses still say what is inside.
 void keep_the_number(const Arguments& arguments, const SegmentOptions& options, Input& input) {
-    const bool is_own = input.is_log && !poses_of(arguments);
+    const bool is_own = input.scans && !poses_of(arguments);
     if (is_own && options.preset == Preset::paper && options.paper.num_submaps != 0) {
         input.trajectory.clear();
     }
@@ -159,10 +163,18 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
     return std::move(tracked.events);
 }
 
-void add_zones(const ZoneOptions& options, StageClock& clock, Segmentation& rooms) {
-    if (options.count == kNoZones) return;
+/// Zones, by what joins their rooms, and how independent they are by what the scans of a log see.
+/// Their rooms are known only now, so that each scan is looked at again.
+void find_zones_in(Input& input, const FollowOptions& options, const RunOptions& run,
+                   StageClock& clock, Segmentation& rooms, io::RunInfo& info) {
+    if (options.zones.count == kNoZones) return;
     clock.begin("zones");
-    rooms.zones = find_zones(rooms, options);
+    std::vector<Sighting> sightings;
+    if (input.scans) {
+        sightings = look_again(*input.scans, input.map, rooms, options.integrate, run);
+    }
+    rooms.zones = find_zones(rooms, covisibility_of(sightings, rooms), options.zones);
+    if (input.scans) info.independence = independence_of(sightings, input.map, rooms);
 }
 
 void run(const Arguments& arguments) {
@@ -206,7 +218,7 @@ void run(const Arguments& arguments) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
     }
-    add_zones(all_options.zones, clock, rooms);
+    find_zones_in(input, all_options, run_options, clock, rooms, info);
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());

@@ -409,11 +409,27 @@ def headers(files: dict, old: str) -> str | None:
             + source(files["headers"]))
 
 
+def independence(files: dict, old: str) -> str | None:
+    del old
+    if "independence" not in files:
+        return None
+
+    def independent(pairs: dict) -> str:
+        return f"{pairs['independent']} → {pairs['independent_given_doors']} of {pairs['pairs']}"
+    lines = [[row["input"], row["parts"], str(row["num_parts"]), f"{100 * row['seen_outside']:.1f} %",
+              f"{100 * row['largest_share']:.0f} %", independent(row["all"]),
+              independent(row["seen_together"]), independent(row["with_doors"])]
+             for row in files["independence"]["rows"]]
+    return (table(["log", "parts", "number", "seen outside", "largest part",
+                   "independent pairs", "of those seen together", "of those with a door"], lines)
+            + source(files["independence"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
-          "headers": headers}
+          "headers": headers, "independence": independence}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

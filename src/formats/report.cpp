@@ -43,6 +43,34 @@ void write_numbers(io::JsonWriter& json, const std::vector<double>& values) {
     json.end_array();
 }
 
+/// Of all pairs, those that share nothing among them, how many are independent.
+void write_independence(io::JsonWriter& json, const Independence& parts) {
+    const std::size_t num_left = parts.num_pairs() - parts.pairs.size();
+    const auto write_shared = [&](const SharedScans& scans) {
+        json.begin_object().key("either").integer(scans.either).key("both").integer(scans.both);
+        json.key("share").number(scans.share()).end_object();
+    };
+    json.begin_object();
+    json.key("num_parts").integer(parts.num_parts);
+    json.key("num_scans").integer(parts.num_scans);
+    json.key("seen_outside").number(parts.seen_outside);
+    json.key("num_pairs").integer(parts.num_pairs());
+    json.key("num_independent")
+        .integer(num_left + num_independent(parts.pairs, &PairIndependence::all));
+    json.key("num_independent_given_doors")
+        .integer(num_left + num_independent(parts.pairs, &PairIndependence::given_doors));
+    json.key("pairs").begin_array(io::JsonLayout::lines);
+    for (const PairIndependence& pair : parts.pairs) {
+        json.begin_object().key("a").integer(pair.a).key("b").integer(pair.b);
+        json.key("num_doors").integer(pair.num_doors).key("all");
+        write_shared(pair.all);
+        json.key("given_doors");
+        write_shared(pair.given_doors);
+        json.end_object();
+    }
+    json.end_array().end_object();
+}
+
 /// Nothing when there are none.
 void write_zones(io::JsonWriter& json, const Zones& zones) {
     if (zones.count == 0) return;
@@ -96,6 +124,13 @@ std::string to_json(const Result& result) {
     if (info.events) {
         json.key("previous");
         io::write_events(json, *info.events);
+    }
+    if (info.independence) {
+        json.key("independence").begin_object(io::JsonLayout::lines).key("zones");
+        write_independence(json, info.independence->zones);
+        json.key("rooms");
+        write_independence(json, info.independence->rooms);
+        json.end_object();
     }
     json.key("stages_ms").begin_object();
     for (const auto& [stage, ms] : stages_ms) json.key(stage).number(ms);

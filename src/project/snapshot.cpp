@@ -134,8 +134,14 @@ std::string Snapshot::updates() const {
     return impl_->story.updates ? impl_->story.updates() : std::string();
 }
 
+std::vector<Pose> Snapshot::poses() const {
+    return impl_->story.poses ? impl_->story.poses() : std::vector<Pose>();
+}
+
 std::vector<Point> Snapshot::way() const {
-    return impl_->story.way ? impl_->story.way() : std::vector<Point>();
+    std::vector<Point> way;
+    for (const Pose& pose : poses()) way.push_back({pose.x, pose.y});
+    return way;
 }
 
 RoomId Snapshot::room_at(const Point& point) const {

@@ -35,7 +35,7 @@ public:
     /// What became of a followed building, told when it is asked for, by any thread.
     struct Story {
         std::function<std::string()> updates;
-        std::function<std::vector<Point>()> way;
+        std::function<std::vector<Pose>()> poses;
     };
 
     /// A finished map. @pre the rooms are of its cells
@@ -58,7 +58,9 @@ public:
     [[nodiscard]] const Segmentation& rooms() const;
     /// The lines of updates.jsonl.
     [[nodiscard]] std::string updates() const;
-    /// Where the scans were taken that were added since the project was opened.
+    /// Where the scans were taken that are in the map, in order; of a project of an earlier version
+    /// those that were added since.
+    [[nodiscard]] std::vector<Pose> poses() const;
     [[nodiscard]] std::vector<Point> way() const;
     /// The room at a point of the map frame; 0 = none. O(1).
     [[nodiscard]] RoomId room_at(const Point& point) const;

@@ -16,6 +16,7 @@
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/tile.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/zones/covisibility.hpp"
 
 namespace quadcut {
 
@@ -64,6 +65,8 @@ struct FollowedMap {
     std::size_t num_left_over = 0;
     /// Preset `paper`: submaps seen with something new since the last cut.
     std::set<std::uint32_t> seen;
+    /// Which rooms scans saw together, by the ids they had.
+    Covisibility covisibility;
     std::size_t num_scans = 0;
     /// The number of scans when rooms were last cut.
     std::size_t cut_at = 0;

@@ -42,7 +42,7 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
         for (RoomId* side : {&door.a, &door.b}) *side = result.rooms[index(*side) - 1].id;
     }
     result.next_id = followed.next_id;
-    result.zones = find_zones(result, zones);
+    result.zones = find_zones(result, followed.covisibility, zones);
     return result;
 }
 

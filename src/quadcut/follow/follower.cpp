@@ -13,6 +13,7 @@
 #include "quadcut/follow/cut_submaps.hpp"
 #include "quadcut/follow/edits.hpp"
 #include "quadcut/follow/followed_result.hpp"
+#include "quadcut/follow/seen_rooms.hpp"
 #include "quadcut/map/integrate.hpp"
 
 namespace quadcut {
@@ -68,6 +69,7 @@ FollowUpdate Follower::update(const Work& work) {
     };
     try {
         if (work(update)) note();
+        count_events(*state_, update.events);
     } catch (...) {
         // What was written before rooms could not be cut is there.
         if (update.changes.size() > 0) note();
@@ -88,6 +90,7 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
         ++state_->num_scans;
         add_counts(state_->map, change, update);
         note_written(*state_, change.written, update.changes);
+        count_seen(*state_, change);
         if (!change.written.empty()) {
             note_seen(*state_, options_.segment.preset, change.observed);
         }

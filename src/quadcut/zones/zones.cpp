@@ -121,10 +121,19 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
     return zones;
 }
 
-Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {
+Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
+                 const ZoneOptions& options) {
     if (options.count == kNoZones) return {};
-    const Graph rooms = joined_by_nearness(conductance_graph(segmentation), segmentation.rooms);
-    return find_zones(rooms, options);
+    const bool is_by_scans = options.weights == ZoneWeights::covisibility && !seen.scans.empty();
+    const Graph rooms =
+        is_by_scans ? covisibility_graph(seen, segmentation) : conductance_graph(segmentation);
+    return find_zones(
+        joined_by_nearness(rooms, segmentation.rooms),
+        {options.count, is_by_scans ? ZoneWeights::covisibility : ZoneWeights::conductance});
+}
+
+Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options) {
+    return find_zones(segmentation, {}, options);
 }
 
 }  // namespace quadcut

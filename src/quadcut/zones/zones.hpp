@@ -5,6 +5,7 @@
 #include "quadcut/map/zone.hpp"
 #include "quadcut/segment/result.hpp"
 #include "quadcut/spectral/graph.hpp"
+#include "quadcut/zones/covisibility.hpp"
 #include "quadcut/zones/options.hpp"
 
 namespace quadcut {
@@ -18,8 +19,12 @@ namespace quadcut {
 /// the eigenpairs.
 [[nodiscard]] Zones find_zones(const Graph& rooms, const ZoneOptions& options);
 
-/// The zones of a result, from its doors (conductance.hpp); rooms that no door joins to others are
-/// of the zone of the nearest.
+/// The zones of a result, by what options.weights says joins its rooms; by its doors
+/// (conductance.hpp) where scans saw nothing. Rooms that nothing joins to others are of the zone of
+/// the nearest.
+[[nodiscard]] Zones find_zones(const Segmentation& segmentation, const Covisibility& seen,
+                               const ZoneOptions& options);
+/// By its doors.
 [[nodiscard]] Zones find_zones(const Segmentation& segmentation, const ZoneOptions& options);
 
 }  // namespace quadcut

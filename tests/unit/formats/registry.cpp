@@ -37,6 +37,7 @@ io::test::DrawnFloor two_rooms() {
     floor.segmentation.report.num_leaves = 42;
     floor.segmentation.report.eigen = {{7, {0.0, 0.25}, {1e-12, 2e-11}}};
     floor.segmentation.report.warnings = {"a warning"};
+    floor.segmentation.zones = {2, {1, 2}, {0.0, 0.5}, {1.0}};
     return floor;
 }
 
@@ -59,7 +60,8 @@ std::optional<json> yaml_as_json(const ScratchFolder& scratch, const std::filesy
 
 TEST(Formats, EachWritesTheFilesThatItNames) {
     const io::test::DrawnFloor floor = two_rooms();
-    const io::RunInfo info;
+    io::RunInfo info;
+    info.poses = {{-1.0, 3.0, 0.0}};
     const Result result(floor.map, floor.segmentation, info, "{\"integrate_ms\": 1}\n");
     std::set<std::string> names;
     std::set<std::string> files;
@@ -109,10 +111,10 @@ TEST(Formats, AreFoundByTheirNames) {
     EXPECT_EQ(files_of(find_formats("labels,graph")),
               (std::vector<std::string>{"rooms.png", "rooms.yaml", "graph.json"}));
     EXPECT_EQ(files_of(find_formats("graph,graph")), std::vector<std::string>{"graph.json"});
-    EXPECT_EQ(
-        io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
-        "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map or "
-        "updates: did you mean 'geojson'?");
+    EXPECT_EQ(io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
+              "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map, "
+              "updates "
+              "or g2o-submaps: did you mean 'geojson'?");
     EXPECT_NE(io::test::error_of([] { (void)find_formats("svg,"); }).find("'' is no format"),
               std::string::npos);
 }

@@ -142,7 +142,7 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     const auto path = two_rooms(folder);
     Database database(path, Access::write);
     for (const char* const table :
-         {"door_lines", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+         {"covisibility", "door_lines", "poses", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
         database.run(std::string("DROP TABLE ") + table);
     }
     database.run(
@@ -172,7 +172,7 @@ TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
     static_cast<void>(Project::open(path, Access::write));
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1) << "not saved";
     rename(path, 2, "Store");
-    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 3);
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 4);
     EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed, EditState::done));
     undo(path);
