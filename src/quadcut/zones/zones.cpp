@@ -24,8 +24,8 @@ constexpr std::size_t kMeanRooms = 8;
 constexpr double kMaxEigenvalue = 0.1;
 /// and there are so many cuts at most.
 constexpr std::size_t kMaxCuts = 60;
-/// The frequencies of a chain grow a little less than in proportion.
-constexpr double kChainPower = 0.9;
+/// Of gaps that are about alike, that of more zones counts.
+constexpr double kFinerPower = 0.1;
 
 /// The nodes in an order that does not depend on how they are numbered, as far as areas and weights
 /// tell them apart.
@@ -74,8 +74,8 @@ std::vector<double> gaps_of(std::span<const double> eigenvalues, std::size_t num
     std::vector<double> gaps(std::min(num_components, eigenvalues.size()), 0.0);
     for (std::size_t k = num_components + 1; k < eigenvalues.size(); ++k) {
         const auto cuts = static_cast<double>(k - num_components);
-        gaps.push_back(std::sqrt(eigenvalues[k] / eigenvalues[k - 1]) *
-                       std::pow(cuts / (cuts + 1.0), kChainPower));
+        gaps.push_back(std::sqrt(eigenvalues[k] / eigenvalues[k - 1]) * cuts / (cuts + 1.0) *
+                       std::pow(cuts + 1.0, kFinerPower));
     }
     return gaps;
 }
