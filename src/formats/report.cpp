@@ -13,6 +13,11 @@
 namespace quadcut::formats {
 namespace {
 
+bool is_count(const OptionField& option, const std::string& text) {
+    const CountOrWord* const count = std::get_if<CountOrWord>(&option.value);
+    return count != nullptr && text == std::to_string(*count->value);
+}
+
 void write_options(io::JsonWriter& json, const std::vector<OptionField>& options) {
     json.begin_object(io::JsonLayout::lines);
     for (const OptionField& option : options) {
@@ -23,8 +28,10 @@ void write_options(io::JsonWriter& json, const std::vector<OptionField>& options
             json.integer(**count);
         } else if (int* const* whole = std::get_if<int*>(&option.value)) {
             json.number(**whole);
+        } else if (const std::string text = io::option_text(option); is_count(option, text)) {
+            json.integer(*std::get<CountOrWord>(option.value).value);
         } else {
-            json.text(io::option_text(option));
+            json.text(text);
         }
     }
     json.end_object();

@@ -20,10 +20,12 @@ namespace {
 
 // Where the number is to be found: zones have so many rooms on average,
 constexpr std::size_t kMeanRooms = 8;
-/// no cut is one that adds as much as this (a corridor and its rooms: 1),
-constexpr double kMaxEigenvalue = 0.2;
-/// and there are so many of them at most.
+/// an eigenvalue from here on is of no cut between parts (that of a corridor's rooms is 1),
+constexpr double kMaxEigenvalue = 0.1;
+/// and there are so many cuts at most.
 constexpr std::size_t kMaxCuts = 60;
+/// Of gaps that are about alike, that of more zones counts.
+constexpr double kFinerPower = 0.1;
 
 /// The nodes in an order that does not depend on how they are numbered, as far as areas and weights
 /// tell them apart.
@@ -65,13 +67,15 @@ std::size_t num_components(const Graph& graph) {
 }
 
 /// By number of zones k, less 1: how much farther up the next frequency, the root of an eigenvalue,
-/// is than in an even chain of zones, where the k-th is k - 1 times the first. The graph's zeros,
-/// one a component, are the beginning of the chain; there is nothing to say of them.
+/// is than in an even chain of zones, where they rise step by step: the largest gap between
+/// eigenvalues themselves, relative or not, nearly always comes after the first or last of them.
+/// The graph's zeros, one a component, are the beginning of the chain and tell nothing.
 std::vector<double> gaps_of(std::span<const double> eigenvalues, std::size_t num_components) {
     std::vector<double> gaps(std::min(num_components, eigenvalues.size()), 0.0);
     for (std::size_t k = num_components + 1; k < eigenvalues.size(); ++k) {
         const auto cuts = static_cast<double>(k - num_components);
-        gaps.push_back(std::sqrt(eigenvalues[k] / eigenvalues[k - 1]) * cuts / (cuts + 1.0));
+        gaps.push_back(std::sqrt(eigenvalues[k] / eigenvalues[k - 1]) * cuts / (cuts + 1.0) *
+                       std::pow(cuts + 1.0, kFinerPower));
     }
     return gaps;
 }
