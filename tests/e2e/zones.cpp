@@ -96,10 +96,11 @@ TEST(ZonesOfSegment, AreKeptByExport) {
     const Folder folder;
     ASSERT_EQ(segment_building(folder, "out", {"--zones", "2"}).exit_code, 0);
     ASSERT_EQ(run_quadcut({"export", folder / "out", "-o", folder / "again"}).exit_code, 0);
-    for (const std::string name : {"rooms.geojson", "graph.json", "rooms.svg"}) {
+    for (const std::string name : {"rooms.geojson", "graph.json"}) {
         EXPECT_EQ(read_bytes(folder / ("out/" + name)), read_bytes(folder / ("again/" + name)))
             << name;
     }
+    EXPECT_NE(read_bytes(folder / "again/rooms.svg").find(", zone 2</title>"), std::string::npos);
 }
 
 TEST(ZonesOfSegment, ANumberOrAutoIsExpected) {
@@ -136,7 +137,7 @@ TEST(ZonesOfFollow, AreThoseOfSegmentOnTheSameRooms) {
 
 TEST(SubmapsOfSegment, AreAsManyAsAskedInTheDefaultPresetAndAWarningSaysWhenNot) {
     const Folder folder;
-    for (const std::string number : {"3", "40"}) {
+    for (const std::string number : {"3", "30"}) {
         const Outcome outcome = segment_building(folder, "out", {"--submaps", number});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");

@@ -21,7 +21,7 @@ namespace {
 // Where the number is to be found: zones have so many rooms on average,
 constexpr std::size_t kMeanRooms = 8;
 /// an eigenvalue from here on is of no cut between parts (that of a corridor's rooms is 1),
-constexpr double kMaxEigenvalue = 0.1;
+constexpr double kMaxEigenvalue = 0.15;
 /// and there are so many cuts at most.
 constexpr std::size_t kMaxCuts = 60;
 /// Of gaps that are about alike, that of more zones counts.
