@@ -258,7 +258,7 @@ Command segment_command() {
                   flag_of(fields, "granularity", "G"),
                   {std::string(kHierarchyFlag), "", "",
                    "rooms.geojson also gets the regions of all granularities, nested"},
-                  flag_of(fields, "zones", "K|auto"),
+                  flag_of(fields, "zones", "K"),
                   poses_flag(),
                   {std::string(kPreviousFlag), "", "DIR",
                    "an earlier result of the building: rooms that are the same keep id and name; "
