@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <initializer_list>
@@ -15,6 +16,7 @@
 #include "apps/map_of_result.hpp"
 #include "apps/message.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/poses_of_result.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
 #include "apps/summary.hpp"
@@ -66,6 +68,19 @@ struct Exported {
     std::vector<std::string> files;
 };
 
+bool tells_poses(const Formats& formats) {
+    return std::any_of(formats.begin(), formats.end(),
+                       [](const formats::Format& format) { return format.part == Part::poses; });
+}
+
+/// Poses are told with their zones.
+void require_zones(const Segmentation& rooms, const std::filesystem::path& where) {
+    if (rooms.zones.count != 0) return;
+    throw InputError(io::display_name(where) +
+                     ": its rooms are in no zones, which poses are told by: cut it again with "
+                     "--zones auto, or with their number");
+}
+
 Exported export_project(const Arguments& arguments, const std::filesystem::path& path) {
     const Formats wanted =
         formats_for(arguments, {Part::rooms, Part::report, Part::map, Part::updates});
@@ -83,6 +98,15 @@ Exported export_project(const Arguments& arguments, const std::filesystem::path&
     io::RunInfo info = run_info_of(options, {});
     info.input = position.source;
     info.input_hash = position.source_hash;
+    if (tells_poses(wanted)) {
+        require_zones(rooms, path);
+        info.poses = building->poses();
+        if (info.poses.empty()) {
+            throw InputError(io::display_name(path) +
+                             ": knows no poses: a quadcut before it kept them, or no scan, has "
+                             "made it; follow its scans into a new project");
+        }
+    }
     const Uninterrupted uninterrupted;
     formats::add_files(output, wanted, {building->map(), rooms, info, building->updates()});
     output.commit();
@@ -123,18 +147,25 @@ Exported export_folder(const Arguments& arguments, const std::filesystem::path& 
     info.map_keys = std::move(result.map_keys);
     info.previous_colors = std::move(result.colors);
     info.regions = std::move(result.regions);
+    if (tells_poses(wanted)) {
+        require_zones(exported.rooms, folder);
+        ResultPoses found =
+            poses_of_result(folder, result, map.map.resolution_m, poses_of(arguments));
+        print_warnings(found.warnings);
+        info.poses = std::move(found.poses);
+    }
     const Uninterrupted uninterrupted;
-    Formats of_rooms;
+    Formats anew;
     for (const formats::Format& format : wanted) {
-        if (format.part == Part::rooms) {
-            of_rooms.push_back(format);
+        if (format.part == Part::rooms || format.part == Part::poses) {
+            anew.push_back(format);
             continue;
         }
         for (const std::string& file : format.files) {
             add_as_it_is(output, folder / file, !arguments.has(kAsFlag));
         }
     }
-    formats::add_files(output, of_rooms, {map.map, exported.rooms, info});
+    formats::add_files(output, anew, {map.map, exported.rooms, info});
     output.commit();
     return exported;
 }
@@ -166,6 +197,9 @@ Command export_command() {
                   {std::string(kMapFlag), "", "FILE",
                    "the map that the results of DIR were made of; if not given, the file that "
                    "report.json names or DIR/map.yaml"},
+                  {"--poses", "", "FILE",
+                   "for g2o-submaps of DIR: where the scans were taken, TUM or g2o; if not given, "
+                   "as the log that report.json names says"},
                   json_flag(),
                   quiet_flag()};
     form.examples = {"quadcut export build/demo -o pictures",

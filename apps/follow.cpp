@@ -19,6 +19,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
+#include "apps/second_look.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
@@ -28,6 +29,7 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/stage_clock.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/independence.hpp"
 
 namespace quadcut {
 namespace {
@@ -61,6 +63,12 @@ Project begin_project(const Arguments& arguments, const FollowOptions& options,
     const std::optional<std::string> path = arguments.value("--project");
     return path ? Project::open_or_create(*path, options, source, run)
                 : Project::in_memory(options, source, run);
+}
+
+std::vector<std::string> all_warnings(const io::SourceFacts& facts, const ScanPosition& position) {
+    std::vector<std::string> warnings = facts.warnings;
+    for (std::string& warning : warnings_of(position)) warnings.push_back(std::move(warning));
+    return warnings;
 }
 
 void run(const Arguments& arguments) {
@@ -104,11 +112,14 @@ void run(const Arguments& arguments) {
                          ": no reading says anything: expected ranges above 0 that hit something");
     }
     clock.begin("doors");
-    std::vector<std::string> warnings = facts.warnings;
-    for (std::string& warning : warnings_of(*project.position())) {
-        warnings.push_back(std::move(warning));
+    Segmentation rooms =
+        followed_rooms(*building, options.segment, all_warnings(facts, *project.position()));
+    if (rooms.zones.count != 0) {
+        clock.begin("zones");
+        const GridMap& map = building->map();
+        info.independence = independence_of(
+            look_again(*source, map, rooms, options.integrate, run_options), map, rooms);
     }
-    Segmentation rooms = followed_rooms(*building, options.segment, std::move(warnings));
     rooms.report.stages_ms = clock.finish();
     progress.begin("write");
     write(output, *building, rooms, info);
@@ -141,6 +152,7 @@ Command follow_command() {
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
+        flag_of(fields, "zones", "K"),
         flag_of(fields, "threads", "N"),
         device_flag(),
         set_flag(),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "apps/progress.hpp"
 #include "apps/run_flags.hpp"
 #include "apps/run_output.hpp"
+#include "apps/second_look.hpp"
 #include "apps/summary.hpp"
 #include "apps/uninterrupted.hpp"
 #include "formats/registry.hpp"
@@ -33,6 +35,9 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/independence.hpp"
+#include "quadcut/zones/submaps.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -49,13 +54,14 @@ struct Input {
     /// Of a map: what its greys say of why it may have no rooms.
     std::string why_no_rooms;
     std::uint64_t content_hash = 0;
-    bool is_log = false;
+    /// Of a log.
+    std::unique_ptr<io::ScanSource> scans;
 };
 
 Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOptions& integrate,
                    StageClock& clock, Progress& progress) {
     const double resolution_m = resolution_of(arguments).value_or(kLogResolution);
-    const auto source =
+    std::unique_ptr<io::ScanSource> source =
         io::open_scan_source(std::move(file), {poses_of(arguments), resolution_m, {}});
     const io::SourceFacts& facts = source->facts();
     clock.begin("map");
@@ -68,7 +74,7 @@ Input input_of_log(const Arguments& arguments, io::Input file, const IntegrateOp
     input.trajectory = std::move(scanned.trajectory);
     input.warnings = facts.warnings;
     input.content_hash = facts.content_hash;
-    input.is_log = true;
+    input.scans = std::move(source);
     if (has_grey_flag(arguments)) {
         input.warnings.emplace_back(
             "--free-thresh, --occupied-thresh, --negate and --trust-yaml play no part for a log");
@@ -101,7 +107,7 @@ Input input_of_map(const Arguments& arguments, io::Input bytes,
 /// As many submaps as were asked for are all shown, whether the log's own trajectory crosses them
 /// or not; poses that are given with --poses still say what is inside.
 void keep_the_number(const Arguments& arguments, const SegmentOptions& options, Input& input) {
-    const bool is_own = input.is_log && !poses_of(arguments);
+    const bool is_own = input.scans && !poses_of(arguments);
     if (is_own && options.preset == Preset::paper && options.paper.num_submaps != 0) {
         input.trajectory.clear();
     }
@@ -109,10 +115,6 @@ void keep_the_number(const Arguments& arguments, const SegmentOptions& options, 
 
 /// What was asked for and plays no part.
 void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
-    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
-        input.warnings.emplace_back(
-            "--submaps plays no part in the preset rooms; see --preset paper");
-    }
     if (options.preset == Preset::paper && options.with_hierarchy) {
         input.warnings.emplace_back("--hierarchy plays no part in the preset paper");
     }
@@ -161,12 +163,27 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
     return std::move(tracked.events);
 }
 
+/// Zones, by what joins their rooms, and how independent they are by what the scans of a log see.
+/// Their rooms are known only now, so that each scan is looked at again.
+void find_zones_in(Input& input, const FollowOptions& options, const RunOptions& run,
+                   StageClock& clock, Segmentation& rooms, io::RunInfo& info) {
+    if (options.zones.count == kNoZones) return;
+    clock.begin("zones");
+    std::vector<Sighting> sightings;
+    if (input.scans) {
+        sightings = look_again(*input.scans, input.map, rooms, options.integrate, run);
+    }
+    rooms.zones = find_zones(rooms, covisibility_of(sightings, rooms), options.zones);
+    if (input.scans) info.independence = independence_of(sightings, input.map, rooms);
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     FollowOptions all_options;
     SegmentOptions& options = all_options.segment;
     RunOptions run_options;
-    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
+    set_fields(arguments,
+               option_fields(options, all_options.zones, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
     const RunDevice device(arguments, run_options.num_threads);
     run_options.accelerator = device.accelerator();
@@ -189,6 +206,10 @@ void run(const Arguments& arguments) {
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(all_options, run_options);
     Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
+    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
+        rooms = joined_into_submaps(std::move(rooms), options.paper.num_submaps, input.map,
+                                    run_options.executor());
+    }
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
         if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);
@@ -197,6 +218,7 @@ void run(const Arguments& arguments) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
     }
+    find_zones_in(input, all_options, run_options, clock, rooms, info);
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
@@ -217,9 +239,10 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
+    ZoneOptions zones;
     IntegrateOptions integrate;
     RunOptions run_options;
-    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
+    const std::vector<OptionField> fields = option_fields(defaults, zones, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =
@@ -235,6 +258,7 @@ Command segment_command() {
                   flag_of(fields, "granularity", "G"),
                   {std::string(kHierarchyFlag), "", "",
                    "rooms.geojson also gets the regions of all granularities, nested"},
+                  flag_of(fields, "zones", "K"),
                   poses_flag(),
                   {std::string(kPreviousFlag), "", "DIR",
                    "an earlier result of the building: rooms that are the same keep id and name; "

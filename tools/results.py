@@ -409,11 +409,44 @@ def headers(files: dict, old: str) -> str | None:
             + source(files["headers"]))
 
 
+def independence(files: dict, old: str) -> str | None:
+    del old
+    if "independence" not in files:
+        return None
+
+    def independent(pairs: dict) -> str:
+        return f"{pairs['independent']} → {pairs['independent_given_doors']} of {pairs['pairs']}"
+    lines = [[row["input"], row["parts"], str(row["num_parts"]), f"{100 * row['seen_outside']:.1f} %",
+              f"{100 * row['largest_share']:.0f} %", independent(row["all"]),
+              independent(row["seen_together"]), independent(row["with_doors"])]
+             for row in files["independence"]["rows"]]
+    return (table(["log", "parts", "number", "seen outside", "largest part",
+                   "independent pairs", "of those seen together", "of those with a door"], lines)
+            + source(files["independence"]))
+
+
+def zones(files: dict, old: str) -> str | None:
+    del old
+    if "zones" not in files:
+        return None
+    lines = []
+    for kind, text in (("campus", "wings joined by walkways"),
+                       ("building", "wings that go over into each other")):
+        rows = [row for row in files["zones"]["rows"] if row["kind"] == kind]
+        told = [row["ari_told"] for row in rows]
+        found = [row["ari"] for row in rows]
+        right = sum(row["zones"] == row["wings"] for row in rows)
+        lines.append([text, f"{statistics.mean(told):.3f} ({min(told):.2f})",
+                      f"{statistics.mean(found):.3f} ({min(found):.2f})", f"{right} of {len(rows)}"])
+    return (table(["simulated campuses", "ARI told the number (least)", "ARI by eigengap (least)",
+                   "the number right"], lines) + source(files["zones"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
-          "headers": headers}
+          "headers": headers, "independence": independence, "zones": zones}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

@@ -13,8 +13,9 @@
 namespace quadcut::formats {
 
 /// What of a result a format tells. Not every result has all: the map only where it was made of
-/// scans, updates only where a robot was followed; a report is of the run that cut it.
-enum class Part : std::uint8_t { rooms, report, map, updates };
+/// scans, updates only where a robot was followed; a report is of the run that cut it. Poses are
+/// written when they are asked for, of a result that has zones.
+enum class Part : std::uint8_t { rooms, report, map, updates, poses };
 
 /// The bytes of files, of one at first.
 [[nodiscard]] inline std::vector<std::string> contents(std::string bytes) {

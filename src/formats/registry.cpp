@@ -40,13 +40,14 @@ Format graph_format();
 Format report_format();
 Format map_format();
 Format updates_format();
+Format g2o_format();
 
 std::span<const Format> all_formats() {
     // The picture first: it takes longest, and leaves threads to the others where it cannot use
     // them itself.
-    static const std::array<Format, 8> formats{picture_format(), svg_format(),    labels_format(),
-                                               geojson_format(), graph_format(),  report_format(),
-                                               map_format(),     updates_format()};
+    static const std::array<Format, 9> formats{picture_format(), svg_format(),     labels_format(),
+                                               geojson_format(), graph_format(),   report_format(),
+                                               map_format(),     updates_format(), g2o_format()};
     return formats;
 }
 

@@ -37,6 +37,10 @@ bool is_own_work(std::string_view first_bytes) {
 bool is_own_file(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return false;
+    // A graph has no room for a mark: some programs that read it take no comment.
+    if (path.extension() == ".g2o") {
+        return is_own_file(std::filesystem::path(path).replace_extension(".zones"));
+    }
     std::ifstream file(path, std::ios::binary);
     std::string head(kNumBytesLookedAt, '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -19,7 +19,8 @@ inline constexpr std::string_view kAuthorChunk{"Software\0quadcut", 16};
 /// the `format_version` of its YAML and JSON files, or by the application id of a project.
 [[nodiscard]] bool is_own_work(std::string_view first_bytes);
 
-/// The same of a file. False when it cannot be read, or is no regular file. O(1).
+/// The same of a file; of a .g2o, of the .zones of the same name that is written with it. False
+/// when it cannot be read, or is no regular file. O(1).
 [[nodiscard]] bool is_own_file(const std::filesystem::path& path);
 
 }  // namespace quadcut::io

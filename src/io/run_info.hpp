@@ -15,6 +15,7 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/segment/result.hpp"
+#include "quadcut/zones/independence.hpp"
 
 namespace quadcut::io {
 
@@ -35,6 +36,10 @@ struct RunInfo {
     /// When an earlier result is written again: its regions of other granularities
     /// (StoredResult::regions).
     std::vector<std::string> regions;
+    /// Where the scans were taken, in order, for the files that tell it.
+    std::vector<Pose> poses;
+    /// How independent the zones and the rooms are, where there are zones and scans.
+    std::optional<IndependenceReport> independence;
     /// Threads that prepare the files; the bytes do not depend on it.
     int num_threads = 1;
 };

@@ -67,6 +67,11 @@ public:
         return std::nullopt;
     }
 
+    void rewind() override {
+        begin();
+        num_done_ = 0;
+    }
+
 private:
     void begin() {
         reader_.emplace(open_, facts_.name, read_options_);

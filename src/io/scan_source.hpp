@@ -35,6 +35,8 @@ public:
     [[nodiscard]] virtual const SourceFacts& facts() const = 0;
     /// The next scan; nothing at the end. Throws InputError when it cannot be read any more.
     [[nodiscard]] virtual std::optional<Scan> next() = 0;
+    /// Begins again with the first scan.
+    virtual void rewind() = 0;
     /// How many scans were given so far.
     [[nodiscard]] virtual std::size_t num_done() const = 0;
     /// Where the last scan stands, for messages: "line 12".

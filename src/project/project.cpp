@@ -178,7 +178,7 @@ const FollowOptions& Project::options() const { return impl_->file.options(); }
 
 FollowUpdate Project::Impl::add(const Scan& scan) {
     const FollowUpdate update = follower.add_scan(scan);
-    way->append({{scan.world_from_sensor.x, scan.world_from_sensor.y}});
+    way->append({scan.world_from_sensor});
     return take(update);
 }
 
@@ -220,9 +220,9 @@ void Project::Impl::sum_up() {
 std::shared_ptr<const Snapshot> Project::Impl::publish() {
     Snapshot::Story story{
         [lines = updates, count = updates->size()] { return lines->between(0, count); },
-        [points = way, count = way->size()] { return points->between(0, count); }};
-    auto made = std::make_shared<const Snapshot>(follower.state(), file.options().segment.rooms,
-                                                 run.executor(), std::move(story));
+        [poses = way, count = way->size()] { return poses->between(0, count); }};
+    auto made = std::make_shared<const Snapshot>(follower.state(), file.options(), run.executor(),
+                                                 std::move(story));
     const std::lock_guard lock(mutex);
     is_wanted = is_new = false;
     return latest = std::move(made);
@@ -230,12 +230,13 @@ std::shared_ptr<const Snapshot> Project::Impl::publish() {
 
 void Project::Impl::save() {
     const Changes unsaved = follower.changes_since(saved_revision);
-    file.save(
-        follower.state(),
-        {unsaved.tiles, updates->between(num_saved, updates->size()), std::exchange(events, {})},
-        progress);
+    file.save(follower.state(),
+              {unsaved.tiles, updates->between(num_saved, updates->size()),
+               std::exchange(events, {}), way->between(num_poses_saved, way->size())},
+              progress);
     saved_revision = unsaved.revision;
     num_saved = updates->size();
+    num_poses_saved = way->size();
     saved_at = std::chrono::steady_clock::now();
 }
 

@@ -222,6 +222,14 @@ std::string ProjectFile::update_lines() const {
     return lines;
 }
 
+std::vector<Pose> ProjectFile::poses() const {
+    std::vector<Pose> poses;
+    if (!has_table(database_, "poses")) return poses;
+    Statement row(database_, "SELECT x, y, yaw_rad FROM poses ORDER BY seq");
+    while (row.step()) poses.push_back({row.number(0), row.number(1), row.number(2)});
+    return poses;
+}
+
 void ProjectFile::require_whole() const {
     if (!is_broken_) return;
     throw InputError(io::display_name(database_.path()) +
@@ -264,6 +272,10 @@ void ProjectFile::write_unsaved(const Unsaved& unsaved) {
         const std::size_t length = std::min(lines.find('\n'), lines.size() - 1) + 1;
         insert.bind(1, lines.substr(0, length)).run();
         lines.remove_prefix(length);
+    }
+    Statement pose(database_, "INSERT INTO poses(x, y, yaw_rad) VALUES(?, ?, ?)");
+    for (const Pose& one : unsaved.poses) {
+        pose.bind(1, one.x).bind(2, one.y).bind(3, one.yaw_rad).run();
     }
     Statement event(database_,
                     "INSERT INTO lineage(scan, event, room, other, reason) VALUES(?, ?, ?, ?, ?)");

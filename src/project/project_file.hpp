@@ -34,6 +34,8 @@ struct Unsaved {
     /// Lines of updates.jsonl.
     std::string lines;
     std::vector<std::pair<std::size_t, RoomEvent>> events;
+    /// Of the scans that were added.
+    std::vector<Pose> poses = {};
 };
 
 /// The project file: one SQLite database (WAL) with the map's tiles, rooms, names, doors, lineage,
@@ -61,6 +63,8 @@ public:
     [[nodiscard]] Follower follower(const RunOptions& run) const;
     /// The lines of updates.jsonl so far.
     [[nodiscard]] std::string update_lines() const;
+    /// Where its scans were taken, as far as this version or a later one has added them.
+    [[nodiscard]] std::vector<Pose> poses() const;
     /// All edits of people, the first first.
     [[nodiscard]] std::vector<EditRecord> edits() const {
         return read_edits(database_, options_.resolution_m);

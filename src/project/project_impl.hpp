@@ -37,6 +37,8 @@ struct Project::Impl {
           history(file.edits()) {
         updates->append(file.update_lines());
         num_saved = updates->size();
+        way->append(file.poses());
+        num_poses_saved = way->size();
         saved_revision = follower.state().revision;
         sum_up();
     }
@@ -94,12 +96,13 @@ struct Project::Impl {
     std::vector<RoomEvent> refined;
     std::vector<std::pair<std::size_t, RoomEvent>> events;
     std::size_t num_saved = 0;
+    std::size_t num_poses_saved = 0;
     std::uint64_t saved_revision = 0;
     std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
     const std::shared_ptr<project::Growing<std::string>> updates =
         std::make_shared<project::Growing<std::string>>();
-    const std::shared_ptr<project::Growing<std::vector<Point>>> way =
-        std::make_shared<project::Growing<std::vector<Point>>>();
+    const std::shared_ptr<project::Growing<std::vector<Pose>>> way =
+        std::make_shared<project::Growing<std::vector<Pose>>>();
 
     // Written by who has the turn and the mutex, read by who has one of them.
     std::mutex mutex;

@@ -161,6 +161,17 @@ void write_way(const Database& database, const FollowedMap& state) {
     }
 }
 
+void write_covisibility(const Database& database, const FollowedMap& state) {
+    Statement(database, "DELETE FROM covisibility").run();
+    Statement insert(database, "INSERT INTO covisibility VALUES(?, ?, ?)");
+    for (const auto& [rooms, scans] : state.covisibility.scans) {
+        insert.bind(1, std::int64_t{rooms.first})
+            .bind(2, std::int64_t{rooms.second})
+            .bind(3, scans)
+            .run();
+    }
+}
+
 void write_rest(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM changes").run();
     Statement change(database, "INSERT INTO changes VALUES(?, ?, ?)");
@@ -312,6 +323,17 @@ void read_door_lines(const Database& database, FollowedMap& state) {
     }
 }
 
+void read_covisibility(const Database& database, FollowedMap& state) {
+    if (!has_table(database, "covisibility")) return;
+    Statement row(database,
+                  "SELECT room_a, room_b, scans FROM covisibility ORDER BY room_a, room_b");
+    while (row.step()) {
+        const std::pair rooms(static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom)),
+                              static_cast<std::uint32_t>(row.integer(1, 1, kMaxRoom)));
+        state.covisibility.scans[rooms] = row.number(2);
+    }
+}
+
 void read_lists(const Database& database, FollowedMap& state) {
     Statement door(database, "SELECT ax, ay, bx, by, clearance_m FROM doors ORDER BY seq");
     while (door.step()) {
@@ -354,12 +376,17 @@ Cell cell_at(const Statement& row, int column) {
             static_cast<std::int32_t>(row.integer(column + 1, -kMaxCoordinate, kMaxCoordinate))};
 }
 
+bool has_table(const Database& database, std::string_view name) {
+    return Statement(database, "SELECT 1 FROM sqlite_master WHERE name = ?").bind(1, name).step();
+}
+
 void write_state(const Database& database, const FollowedMap& state, std::span<const Cell> tiles) {
     write_tiles(database, state, tiles);
     write_rooms(database, state);
     write_doors(database, state);
     write_door_lines(database, state);
     write_way(database, state);
+    write_covisibility(database, state);
     write_rest(database, state);
 }
 
@@ -369,6 +396,7 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     read_rooms_table(database, state);
     read_lists(database, state);
     read_way(database, state);
+    read_covisibility(database, state);
     const bool is_placed = state.map.is_placed();
     const Root root = state.map.root();
     Statement row(database, "SELECT x, y, log_odds, rooms, cut_free FROM tiles ORDER BY y, x");

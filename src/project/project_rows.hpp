@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "project/database.hpp"
 #include "quadcut/follow/followed_map.hpp"
@@ -18,6 +19,9 @@ inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
 
 /// Binds a cell's x at a place and its y at the next.
 void bind_cell(Statement& statement, int place, Cell cell);
+
+/// Whether a file has a table that earlier versions do not have.
+[[nodiscard]] bool has_table(const Database& database, std::string_view name);
 
 /// Writes all that is known but tiles, in place of what was, and these tiles. @pre a transaction is
 /// open.

@@ -7,8 +7,12 @@
 namespace quadcut::project {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 17> kTables{{
+    static constexpr std::array<Table, 19> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
+        {"covisibility",
+         "CREATE TABLE covisibility(room_a INTEGER, room_b INTEGER, scans REAL, "
+         "PRIMARY KEY(room_a, room_b)) WITHOUT ROWID",
+         4},
         {"door_lines",
          "CREATE TABLE door_lines(id INTEGER PRIMARY KEY, ax INTEGER, ay INTEGER, bx INTEGER, "
          "by INTEGER, x1 REAL, y1 REAL, x2 REAL, y2 REAL, width_m REAL, room_a_width_m REAL, "
@@ -25,6 +29,7 @@ std::span<const Table> tables() {
          "other INTEGER, reason TEXT)"},
         {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID"},
         {"options", "CREATE TABLE options(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID"},
+        {"poses", "CREATE TABLE poses(seq INTEGER PRIMARY KEY, x REAL, y REAL, yaw_rad REAL)", 4},
         {"rooms",
          "CREATE TABLE rooms(id INTEGER PRIMARY KEY, name TEXT, merge_group INTEGER, locked "
          "INTEGER, "

@@ -12,8 +12,8 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/follow/options.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/rooms/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
@@ -35,13 +35,13 @@ public:
     /// What became of a followed building, told when it is asked for, by any thread.
     struct Story {
         std::function<std::string()> updates;
-        std::function<std::vector<Point>()> way;
+        std::function<std::vector<Pose>()> poses;
     };
 
     /// A finished map. @pre the rooms are of its cells
     Snapshot(GridMap map, Segmentation rooms);
     /// A followed one; the options and threads are those that it is followed with.
-    Snapshot(FollowedMap followed, const RoomsOptions& options, const Executor& executor,
+    Snapshot(FollowedMap followed, const FollowOptions& options, const Executor& executor,
              Story story);
     Snapshot(const Snapshot&) = delete;
     Snapshot& operator=(const Snapshot&) = delete;
@@ -58,7 +58,9 @@ public:
     [[nodiscard]] const Segmentation& rooms() const;
     /// The lines of updates.jsonl.
     [[nodiscard]] std::string updates() const;
-    /// Where the scans were taken that were added since the project was opened.
+    /// Where the scans were taken that are in the map, in order; of a project of an earlier version
+    /// those that were added since.
+    [[nodiscard]] std::vector<Pose> poses() const;
     [[nodiscard]] std::vector<Point> way() const;
     /// The room at a point of the map frame; 0 = none. O(1).
     [[nodiscard]] RoomId room_at(const Point& point) const;

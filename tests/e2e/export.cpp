@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/image.hpp"
+#include "quadcut/base/geometry.hpp"
 #include "tests/e2e/program.hpp"
 
 namespace quadcut::test {
@@ -228,6 +232,137 @@ TEST(Export, OfAProjectNeedsNoLog) {
                  std::to_string(json.at("rooms")[0].at("id").get<int>()), "Kitchen"});
     expect_done({"export", folder / "home.quadcut", "-o", folder / "again"});
     EXPECT_NE(read_bytes(folder / "again/rooms.svg").find("Kitchen"), std::string::npos);
+}
+
+/// The poses of a g2o file, by number, and how many edges join one to the next.
+struct PoseGraph {
+    std::map<std::size_t, Pose> poses;
+    std::size_t num_edges = 0;
+};
+
+PoseGraph read_pose_graph(const std::string& path) {
+    PoseGraph graph;
+    std::istringstream text(read_bytes(path));
+    std::string tag;
+    while (text >> tag) {
+        std::size_t from = 0;
+        std::size_t to = 0;
+        Pose pose;
+        if (tag == "VERTEX_SE2") {
+            text >> from >> pose.x >> pose.y >> pose.yaw_rad;
+            graph.poses[from] = pose;
+            continue;
+        }
+        EXPECT_EQ(tag, "EDGE_SE2");
+        text >> from >> to >> pose.x >> pose.y >> pose.yaw_rad;
+        std::vector<double> information(6);
+        for (double& value : information) text >> value;
+        EXPECT_EQ(information, (std::vector<double>{1, 0, 0, 1, 0, 1}));
+        EXPECT_EQ(to, from + 1);
+        const Pose there = compose(graph.poses.at(from), pose);
+        EXPECT_NEAR(there.x, graph.poses.at(to).x, 1e-9);
+        EXPECT_NEAR(there.y, graph.poses.at(to).y, 1e-9);
+        EXPECT_NEAR(std::remainder(there.yaw_rad - graph.poses.at(to).yaw_rad, 6.283185307179586),
+                    0.0, 1e-9);
+        ++graph.num_edges;
+    }
+    EXPECT_TRUE(text.eof());
+    return graph;
+}
+
+std::map<std::size_t, std::uint32_t> read_zones(const std::string& path) {
+    std::istringstream text(read_bytes(path));
+    std::string comment;
+    std::getline(text, comment);
+    EXPECT_EQ(comment[0], '#');
+    std::map<std::size_t, std::uint32_t> zones;
+    std::size_t vertex = 0;
+    std::uint32_t zone = 0;
+    while (text >> vertex >> zone) zones[vertex] = zone;
+    return zones;
+}
+
+void expect_pose_graph(const std::string& folder, std::uint32_t num_zones) {
+    const PoseGraph graph = read_pose_graph(folder + "/submaps.g2o");
+    ASSERT_GT(graph.poses.size(), 20U);
+    EXPECT_EQ(graph.num_edges, graph.poses.size() - 1);
+    std::set<std::uint32_t> used;
+    const auto zones = read_zones(folder + "/submaps.zones");
+    EXPECT_EQ(zones.size(), graph.poses.size());
+    for (const auto& [vertex, zone] : zones) {
+        EXPECT_TRUE(graph.poses.contains(vertex));
+        EXPECT_GE(zone, 1U);
+        EXPECT_LE(zone, num_zones);
+        used.insert(zone);
+    }
+    EXPECT_GT(used.size(), 1U);
+}
+
+TEST(Export, PosesWithTheirZonesOfALogForASlamBackEnd) {
+    const Folder folder;
+    expect_done({"simulate", "-o", folder / "sim", "--seed", "2", "--rooms", "6"});
+    const std::string log = folder / "sim/robot.log";
+    expect_done({"segment", log, "-o", folder / "rooms", "--set", "zones=3", "--quiet"});
+    expect_done({"export", folder / "rooms", "-o", folder / "rooms", "--as", "g2o-submaps"});
+    expect_pose_graph(folder / "rooms", 3);
+    // The poses as they are read again, and by way of a file beside the log.
+    const PoseGraph graph = read_pose_graph(folder / "rooms/submaps.g2o");
+    expect_done({"export", folder / "rooms", "-o", folder / "again", "--as", "g2o-submaps",
+                 "--poses", folder / "rooms/submaps.g2o"});
+    const PoseGraph again = read_pose_graph(folder / "again/submaps.g2o");
+    ASSERT_EQ(again.poses.size(), graph.poses.size());
+    for (const auto& [vertex, pose] : graph.poses) {
+        EXPECT_NEAR(again.poses.at(vertex).x, pose.x, 1e-9);
+        EXPECT_NEAR(again.poses.at(vertex).yaw_rad, pose.yaw_rad, 1e-9);
+    }
+    expect_done({"export", folder / "rooms", "-o", folder / "rooms", "--as", "g2o-submaps"});
+
+    const auto report = nlohmann::json::parse(read_bytes(folder / "rooms/report.json"));
+    const auto& zones = report.at("independence").at("zones");
+    EXPECT_EQ(zones.at("num_parts"), 3);
+    EXPECT_EQ(zones.at("num_pairs"), 3);
+    EXPECT_GT(zones.at("seen_outside"), 0.0);
+    EXPECT_LT(zones.at("seen_outside"), report.at("independence").at("rooms").at("seen_outside"));
+    EXPECT_GE(zones.at("num_independent_given_doors"), zones.at("num_independent"));
+    ASSERT_FALSE(zones.at("pairs").empty());
+    for (const auto& pair : zones.at("pairs")) {
+        EXPECT_LE(pair.at("given_doors").at("both"), pair.at("all").at("both"));
+    }
+}
+
+TEST(Export, PosesOfAProjectAreItsOwn) {
+    const Folder folder;
+    expect_done({"simulate", "-o", folder / "sim", "--seed", "2", "--rooms", "6"});
+    const std::string project = folder / "p.quadcut";
+    expect_done({"follow", folder / "sim/robot.log", "-o", folder / "out", "--project", project,
+                 "--set", "zones=3", "--set", "zones.weights=covisibility", "--quiet"});
+    const auto report = nlohmann::json::parse(read_bytes(folder / "out/report.json"));
+    EXPECT_EQ(report.at("independence").at("zones").at("num_parts"), 3);
+    std::filesystem::remove(folder / "sim/robot.log");
+    expect_done({"export", project, "-o", folder / "graph", "--as", "g2o-submaps"});
+    expect_pose_graph(folder / "graph", 3);
+}
+
+TEST(Export, PosesWithoutZonesOrPosesSayTheWayOut) {
+    const Folder folder;
+    const std::string map = folder.write("a.pgm", office_pgm());
+    const auto export_poses = [&](const std::string& from) {
+        return run_quadcut({"export", folder / from, "-o", folder / "out", "--as", "g2o-submaps"});
+    };
+    expect_done({"segment", map, "-o", folder / "plain"});
+    Outcome outcome = export_poses("plain");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("plain: its rooms are in no zones"), std::string::npos);
+    EXPECT_NE(outcome.err.find("--zones auto"), std::string::npos);
+    expect_done({"segment", map, "-o", folder / "zoned", "--set", "zones=2"});
+    outcome = export_poses("zoned");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("give the poses of its scans with --poses FILE"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    const std::string poses = folder.write("poses.txt", "0 1 1 0 0 0 0 1\n1 3 1 0 0 0 0 1\n");
+    expect_done({"export", folder / "zoned", "-o", folder / "out", "--as", "g2o-submaps", "--poses",
+                 poses});
+    EXPECT_EQ(read_pose_graph(folder / "out/submaps.g2o").poses.size(), 2U);
 }
 
 }  // namespace

@@ -199,7 +199,8 @@ def make_version_2(database):
                          (key, option))
     database.execute("DELETE FROM options WHERE name = 'resolution' OR name LIKE 'follow.%' "
                      "OR name LIKE 'scan.%'")
-    database.execute("DROP TABLE door_lines")
+    for table in ("covisibility", "door_lines", "poses"):
+        database.execute(f"DROP TABLE {table}")
     database.execute("DELETE FROM meta WHERE key IN ('next_door_id', 'revision')")
     database.execute("PRAGMA user_version=2")
 

@@ -3,6 +3,7 @@
 #include "quadcut/follow/check_followed.hpp"
 
 #include <bit>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -68,6 +69,18 @@ void check_doors(const FollowedMap& followed) {
     }
 }
 
+void check_covisibility(const FollowedMap& followed) {
+    for (const auto& [rooms, scans] : followed.covisibility.scans) {
+        const bool are_there =
+            followed.rooms.contains(rooms.first) && followed.rooms.contains(rooms.second);
+        if (are_there && rooms.first <= rooms.second && scans >= 0.0 && std::isfinite(scans)) {
+            continue;
+        }
+        throw InputError("rooms " + std::to_string(rooms.first) + " and " +
+                         std::to_string(rooms.second) + " cannot have been seen together");
+    }
+}
+
 }  // namespace
 
 void check(const FollowedMap& followed) {
@@ -84,6 +97,7 @@ void check(const FollowedMap& followed) {
     }
     check_cells(followed);
     check_doors(followed);
+    check_covisibility(followed);
     std::size_t num_changed = 0;
     for (const auto& [tile, count] : followed.changed_tiles) {
         if (!holds(followed.written, first_cell_of({tile.first, tile.second}))) {

@@ -16,6 +16,7 @@
 #include "quadcut/map/occupancy_map.hpp"
 #include "quadcut/map/tile.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/zones/covisibility.hpp"
 
 namespace quadcut {
 
@@ -68,6 +69,8 @@ struct FollowedMap {
     Box seen_roomless;
     /// Where the robot was, in order.
     std::vector<Cell> way;
+    /// Which rooms scans saw together, by the ids they had.
+    Covisibility covisibility;
     std::size_t num_scans = 0;
     /// The number of scans when rooms were last cut.
     std::size_t cut_at = 0;

@@ -13,6 +13,7 @@
 #include "quadcut/follow/cut_submaps.hpp"
 #include "quadcut/follow/edits.hpp"
 #include "quadcut/follow/followed_result.hpp"
+#include "quadcut/follow/seen_rooms.hpp"
 #include "quadcut/map/integrate.hpp"
 
 namespace quadcut {
@@ -68,6 +69,7 @@ FollowUpdate Follower::update(const Work& work) {
     };
     try {
         if (work(update)) note();
+        count_events(*state_, update.events);
     } catch (...) {
         // What was written before rooms could not be cut is there.
         if (update.changes.size() > 0) note();
@@ -90,6 +92,7 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
         note_written(*state_, change.written, update.changes);
         const Pose& pose = scan.world_from_sensor;
         const bool is_entered = note_way(*state_, {pose.x, pose.y}, options_, update.changes);
+        count_seen(*state_, change);
         if (is_entered || !change.written.empty()) {
             note_seen(*state_, options_.segment.preset, change.observed);
         }
@@ -167,7 +170,7 @@ std::size_t Follower::num_rooms() const { return state_->rooms.size(); }
 RoomId Follower::room_at(const Point& point) const { return quadcut::room_at(*state_, point); }
 
 Segmentation Follower::rooms() const {
-    return result_of(*state_, options_.segment.rooms, executor_);
+    return result_of(*state_, options_.segment.rooms, executor_, options_.zones);
 }
 
 std::size_t Follower::bytes() const {

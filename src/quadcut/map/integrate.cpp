@@ -196,7 +196,11 @@ MapUpdate integrate_scan(OccupancyMap& map, const Scan& scan, const IntegrateOpt
     const Box box = box_of(evidence);
     if (!box.is_empty()) update.covering = map.block_around(box.low, box.high);
     update.observed.reserve(evidence.size());
-    for (const TileEvidence& one : evidence) update.observed.push_back(one.tile);
+    update.observed_free.reserve(evidence.size());
+    for (const TileEvidence& one : evidence) {
+        update.observed.push_back(one.tile);
+        update.observed_free.push_back(one.miss);
+    }
     return update;
 }
 

@@ -31,6 +31,8 @@ struct MapUpdate {
     std::vector<Cell> written;
     /// The tiles that a scan speaks of, changed or not, row by row.
     std::vector<Cell> observed;
+    /// The cells of each of these that the scan saw free, bit 8 y + x.
+    std::vector<std::uint64_t> observed_free;
 };
 
 /// The quadtree map: log-odds of being occupied in square cells, and the tree of maximal aligned

@@ -7,7 +7,9 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: as paper.first_cut says",
+    fields.push_back({"submaps", "", 0, 2000,
+                      "number of submaps, in the preset rooms of regions; 0: as paper.first_cut "
+                      "says, or as rooms are found",
                       "eq. (5)", &options.num_submaps});
     fields.push_back({"paper.first_cut", "", 0, 0,
                       "how a map is cut when no number is given: in halves, or by k-means first, "

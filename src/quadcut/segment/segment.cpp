@@ -80,8 +80,9 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     std::vector<Cell> way;
     if (drops_uncrossed(options)) way = visited_cells(map, trajectory);
     for (Cell& cell : way) cell = floor.layout.place_of(cell);
-    RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
-                                  options.rooms, clock, executor, hierarchy);
+    RoomsCut cut = cut_into_rooms(
+        {std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps},
+        options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {

@@ -58,8 +58,11 @@ std::optional<json> yaml_as_json(const ScratchFolder& scratch, const std::filesy
 }
 
 TEST(Formats, EachWritesTheFilesThatItNames) {
-    const io::test::DrawnFloor floor = two_rooms();
-    const io::RunInfo info;
+    io::test::DrawnFloor floor = two_rooms();
+    floor.segmentation.zones.count = 2;
+    floor.segmentation.zones.zone_of_room = {1, 2};
+    io::RunInfo info;
+    info.poses = {{-1.0, 3.0, 0.0}};
     const Result result(floor.map, floor.segmentation, info, "{\"integrate_ms\": 1}\n");
     std::set<std::string> names;
     std::set<std::string> files;
@@ -109,10 +112,10 @@ TEST(Formats, AreFoundByTheirNames) {
     EXPECT_EQ(files_of(find_formats("labels,graph")),
               (std::vector<std::string>{"rooms.png", "rooms.yaml", "graph.json"}));
     EXPECT_EQ(files_of(find_formats("graph,graph")), std::vector<std::string>{"graph.json"});
-    EXPECT_EQ(
-        io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
-        "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map or "
-        "updates: did you mean 'geojson'?");
+    EXPECT_EQ(io::test::error_of([] { (void)find_formats("svg,geojsn"); }),
+              "'geojsn' is no format, expected picture, svg, labels, geojson, graph, report, map, "
+              "updates "
+              "or g2o-submaps: did you mean 'geojson'?");
     EXPECT_NE(io::test::error_of([] { (void)find_formats("svg,"); }).find("'' is no format"),
               std::string::npos);
 }

@@ -142,6 +142,23 @@ TEST(OptionFields, NamesAreDifferentAndDocumented) {
     }
 }
 
+TEST(OptionText, ACountMayHaveWordsForSomeOfItsValues) {
+    std::size_t count = 0;
+    const std::vector<OptionField> fields{
+        {"parts", "", 1, 9, "how many", "", CountOrWord{&count, {{"none", 77}, {"auto", 0}}}}};
+    EXPECT_EQ(option_text(fields[0]), "auto");
+    set_option(fields, "parts", "5");
+    EXPECT_EQ(count, 5U);
+    EXPECT_EQ(option_text(fields[0]), "5");
+    set_option(fields, "parts", "none");
+    EXPECT_EQ(count, 77U);
+    EXPECT_EQ(option_text(fields[0]), "none");
+    for (const char* wrong : {"0", "10", "77", "-1", "nope", "", "3x"}) {
+        EXPECT_THROW(set_option(fields, "parts", wrong), InputError) << wrong;
+    }
+    EXPECT_EQ(count, 77U);
+}
+
 TEST(OptionFields, AreBoundToTheirOptions) {
     FollowOptions follow;
     RunOptions run;

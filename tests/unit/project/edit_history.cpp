@@ -142,7 +142,7 @@ std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     const auto path = two_rooms(folder);
     Database database(path, Access::write);
     for (const char* const table :
-         {"door_lines", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+         {"covisibility", "door_lines", "poses", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
         database.run(std::string("DROP TABLE ") + table);
     }
     database.run(

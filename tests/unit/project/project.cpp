@@ -69,6 +69,10 @@ TEST(Project, GoesOnFromWhatWasSaved) {
     EXPECT_EQ(rooms.labels.values, project.snapshot()->rooms().labels.values);
     EXPECT_EQ(rooms.next_id, project.snapshot()->rooms().next_id);
     EXPECT_EQ(whole.snapshot()->way().size(), scans.size());
+    EXPECT_EQ(whole.snapshot()->poses(), project.snapshot()->poses());
+    EXPECT_EQ(whole.snapshot()->followed()->covisibility,
+              project.snapshot()->followed()->covisibility);
+    EXPECT_FALSE(whole.snapshot()->followed()->covisibility.scans.empty());
 }
 
 TEST(Project, NeedsNoLog) {

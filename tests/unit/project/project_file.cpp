@@ -83,6 +83,10 @@ TEST(ProjectFile, RowsThatCannotBeAreRefused) {
                                   "UPDATE options SET value = '1e300' WHERE name = 'resolution'",
                                   "UPDATE options SET value = 'nan' WHERE name = 'door_width'",
                                   "INSERT INTO changes VALUES(0, 0, 100)",
+                                  "INSERT INTO covisibility VALUES(1, 999, 1.0)",
+                                  "INSERT OR REPLACE INTO covisibility VALUES(2, 1, 1.0)",
+                                  "INSERT OR REPLACE INTO covisibility VALUES(1, 1, -1.0)",
+                                  "INSERT INTO poses VALUES(1000, 'here', 0, 0)",
                                   "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -284,6 +286,28 @@ TEST(Building, WingsAreTurnedAsWished) {
     const Building whole = generate_building(wish);
     EXPECT_EQ(whole.num_turned_wings, 0);
     EXPECT_EQ(off_axis(whole), static_cast<std::ptrdiff_t>(whole.doors.size()));
+}
+
+TEST(Building, ACampusHasItsWingsJoinedByDoors) {
+    BuildingOptions wish;
+    wish.seed = 12;
+    wish.num_rooms = 60;
+    wish.num_wings = 4;
+    const Building campus = generate_building(wish);
+    std::map<int, int> rooms_of_wing;
+    for (const TrueRoom& room : campus.rooms) ++rooms_of_wing[room.wing];
+    ASSERT_EQ(rooms_of_wing.size(), 4U);
+    for (const auto& [wing, count] : rooms_of_wing) EXPECT_GE(count, 5) << wing;
+    std::set<std::pair<int, int>> joined;
+    for (const TrueDoor& door : campus.doors) {
+        const int a = campus.rooms[index(door.a) - 1].wing;
+        const int b = campus.rooms[index(door.b) - 1].wing;
+        if (a == b) continue;
+        EXPECT_LE(door.width_m, 1.2);
+        joined.insert({std::min(a, b), std::max(a, b)});
+    }
+    // A tree: as many joints as wings, less one.
+    EXPECT_EQ(joined.size(), 3U);
 }
 
 TEST(Building, OtherResolutionIsTheSameBuilding) {
