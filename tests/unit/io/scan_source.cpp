@@ -98,6 +98,19 @@ TEST(ScanSource, SkipsToAPosition) {
 }
 
 /// Larger than what is kept of a pipe in memory, and than a piece.
+TEST(ScanSource, BeginsAgainAsOftenAsOneLikes) {
+    const auto source = open_log(drive(3));
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < 1 + k; ++i) {
+            EXPECT_NEAR(source->next().value().world_from_sensor.x, 0.1 * static_cast<double>(i),
+                        1e-9);
+        }
+        EXPECT_EQ(source->num_done(), 1 + k);
+        source->rewind();
+        EXPECT_EQ(source->num_done(), 0U);
+    }
+}
+
 TEST(ScanSource, ReadsFilesAndPipesAlike) {
     const ScratchFolder folder;
     const std::string log = drive(60'000);

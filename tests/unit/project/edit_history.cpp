@@ -141,8 +141,8 @@ TEST(EditHistory, WhatCannotBeUndoneIsSaidAndNothingChanges) {
 std::filesystem::path project_of_version_1(const ScratchFolder& folder) {
     const auto path = two_rooms(folder);
     Database database(path, Access::write);
-    for (const char* const table :
-         {"covisibility", "door_lines", "poses", "undo", "undo_cells", "undo_lines", "undo_rooms"}) {
+    for (const char* const table : {"covisibility", "door_lines", "poses", "undo", "undo_cells",
+                                    "undo_lines", "undo_rooms"}) {
         database.run(std::string("DROP TABLE ") + table);
     }
     database.run(
