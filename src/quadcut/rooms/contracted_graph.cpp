@@ -9,10 +9,13 @@
 namespace quadcut {
 namespace {
 
+// Departs from the paper: the sum of eq. (2) over the leaves at a border says how long it is, not how
+// open. Where it joins as many basins it puts up to five times as much floor into the wrong room
+// (docs/decisions/0019-spectral-pieces.md).
 double weight(const RegionGraph& regions, std::uint32_t a, std::uint32_t b, const Saddle& saddle) {
     const Point p = regions.centroid(a);
     const Point q = regions.centroid(b);
-    // A ring and what it encloses may have one centre. In cells, as the border is.
+    // In cells, as the border is. A ring and what it encloses may have one centre.
     const double distance = std::max(1.0, std::hypot(p.x - q.x, p.y - q.y));
     const double openness =
         static_cast<double>(saddle.clearance_m) / std::max(regions.peak_m(a), regions.peak_m(b));

@@ -67,11 +67,12 @@ Pieces cut_spectrally(const Graph& graph, double min_area_m2, const Executor& ex
             add_piece(part, pieces);
             continue;
         }
-        // Eq. (4): L, by area: with it eigenvalues have a unit, and so the limit has a size.
+        // Eq. (4): L, normalised by area: so eigenvalues have a unit, and their limit is a size.
         const Eigenpairs pairs = eigenpairs_below(part.graph, LaplacianKind::area,
                                                   kMaxEigenvaluePerM2, kMaxPairs, {}, executor);
         pieces.eigen.push_back({pairs.num_nodes, pairs.values, pairs.residuals});
-        // Eqs. (5) and (6): the rows of P are the samples.
+        // Eq. (5): they are the columns of P.
+        // Eq. (6): its rows are clustered.
         const Clustering clusters =
             cluster_pivoted_qr(embed(pairs, pairs.size(), RowScaling::none), executor);
         for (Part& cluster : connected_parts(part, clusters.labels)) {
