@@ -15,7 +15,7 @@ WINGS = {
     "paper": ("paper",),
     "live": ("follow",),
 }
-MAX_LINES = {"rooms": 7650, "paper": 746, "live": 2881}
+MAX_LINES = {"rooms": 7700, "paper": 746, "live": 2881}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

@@ -7,8 +7,16 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen by silhouette",
+    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen (paper.number_by)",
                       "eq. (5)", &options.num_submaps});
+    fields.push_back({"paper.number_by", "", 0, 0, "how the number of submaps is chosen", "eq. (9)",
+                      choice(options.number_by, {"eigengap", "silhouette"})});
+    fields.push_back({"paper.min_eigenvalue", "", 0.0, 2.0,
+                      "the eigengap lies behind an eigenvalue of at least this", "",
+                      &options.min_eigenvalue});
+    fields.push_back({"paper.max_eigenvalue", "", 0.0, 2.0,
+                      "the eigengap lies behind an eigenvalue of at most this", "",
+                      &options.max_eigenvalue});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",
                       &options.max_submaps});

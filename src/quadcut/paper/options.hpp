@@ -23,10 +23,23 @@ enum class SelfLoops : std::uint8_t {
     largest_weight,
 };
 
+/// How the number of submaps is chosen.
+enum class NumberBy : std::uint8_t {
+    /// Where the spectrum of the graph's basins has its largest relative gap.
+    eigengap,
+    /// The best mean silhouette, eqs. (7) to (9).
+    silhouette,
+};
+
 /// The preset `paper`.
 struct PaperOptions {
-    /// 0: chosen by silhouette.
+    /// 0: chosen as number_by says.
     std::size_t num_submaps = 0;
+    NumberBy number_by = NumberBy::eigengap;
+    /// The gap is looked for between these eigenvalues: what costs less as a normalised cut is one
+    /// between submaps, what costs more is none.
+    double min_eigenvalue = 0.06;
+    double max_eigenvalue = 0.15;
     std::size_t max_submaps = 30;
     double min_silhouette = 0.25;
     LaplacianKind laplacian = LaplacianKind::degree;
@@ -35,7 +48,7 @@ struct PaperOptions {
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;
-    double max_submap_m2 = 60.0;
+    double max_submap_m2 = 300.0;
     std::size_t max_route_edges = 40;
     double min_relation_per_m = 0.5;
 };

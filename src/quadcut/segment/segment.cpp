@@ -16,6 +16,7 @@
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -124,6 +125,8 @@ Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std:
     result.report.eigen = submaps.pieces.eigen;
     Raster<std::uint32_t> labels =
         paint_submaps(map, leaves, submaps.nodes, submaps.pieces, trajectory);
+    // Leaves that see each other through a slit need not touch.
+    connect_regions(labels, {}, executor);
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = num_edges(graph);

@@ -89,6 +89,12 @@ TEST(SpectralPieces, ALongRowIsCutAgainAndAgainIntoPiecesThatHangTogether) {
     }
 }
 
+TEST(SpectralPieces, TheFewNodesThatLanczosCouldNotSolve) {
+    const std::vector<WeightedEdge> edges{{0, 1, 0.0605279}, {1, 2, 1.84672}};
+    const Pieces pieces = cut_spectrally(build_graph(edges, {13.4775, 0.4725, 0.7325}), kMinAreaM2);
+    EXPECT_EQ(pieces.piece_of_node, (std::vector<std::uint32_t>{0, 1, 1}));
+}
+
 TEST(SpectralPieces, OfNothingAreNone) { EXPECT_EQ(cut_spectrally(Graph{}, kMinAreaM2).count, 0U); }
 
 }  // namespace
