@@ -32,7 +32,11 @@ struct Variant {
 std::vector<Variant> variants() {
     return {{"", "as it is", [](SegmentOptions&) {}},
             {"furniture", "every obstacle counts",
-             [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }}};
+             [](SegmentOptions& options) { options.rooms.max_furniture_m2 = 0.0; }},
+            {"pieces", "basins",
+             [](SegmentOptions& options) { options.rooms.pieces = PieceSource::basins; }},
+            {"pieces", "spectral",
+             [](SegmentOptions& options) { options.rooms.pieces = PieceSource::spectral; }}};
 }
 
 struct Score {

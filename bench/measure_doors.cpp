@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // How well the door model tells doors from bulges, cut by cut, and the samples it is trained on:
-//   measure_doors [-o SAMPLES.csv] [--buildings N]
+//   measure_doors [-o SAMPLES.csv] [--buildings N] [--pieces basins|spectral]
 // Cuts are decided as the truth has it, the least door-like first, as fuse() does: so a sample
 // stands for a decision that really comes up. See docs/decisions/0008-door-model.md.
 #include <algorithm>
@@ -22,10 +22,12 @@
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/rooms/basins.hpp"
+#include "quadcut/rooms/contracted_graph.hpp"
 #include "quadcut/rooms/door_model.hpp"
 #include "quadcut/rooms/fuse.hpp"
 #include "quadcut/rooms/open_space.hpp"
 #include "quadcut/rooms/region_graph.hpp"
+#include "quadcut/rooms/spectral_pieces.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "sim/building.hpp"
@@ -107,13 +109,24 @@ struct Candidate {
     }
 };
 
-std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth) {
+/// Joins what is one piece before anything is decided.
+void join_spectral_pieces(RegionGraph& regions, RegionTruth& rooms) {
+    const ContractedGraph contracted = contract(regions);
+    join_pieces(regions, contracted, cut_spectrally(contracted.graph, RoomsOptions{}.min_room_m2));
+    for (std::uint32_t piece = 1; piece <= regions.num_pieces(); ++piece) {
+        if (!regions.is_region(piece)) rooms.join(regions.region_of(piece), piece);
+    }
+}
+
+std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth,
+                                    PieceSource pieces) {
     const auto kept = inside(map, {}, kMinComponentM2);
     const auto open = open_space(kept, map.resolution_m, RoomsOptions{}.max_furniture_m2);
     const Raster<float> clearance = clearance_m(open, map.resolution_m);
     const Basins basins = build_basins(clearance, map.resolution_m);
     RegionGraph regions(basins.labels, basins.count, clearance, map.resolution_m);
     RegionTruth rooms(basins.labels, basins.count, truth);
+    if (pieces == PieceSource::spectral) join_spectral_pieces(regions, rooms);
     std::priority_queue<Candidate> queue;
     const auto push = [&](std::uint32_t a, std::uint32_t b) {
         const Narrowing narrowing = regions.measure(a, b);
@@ -199,14 +212,14 @@ private:
 
 /// Each map as it is, and as it is when drawn in other directions and at other resolutions: the
 /// model should not depend on that.
-void add_data(Report& report) {
+void add_data(PieceSource pieces, Report& report) {
     for (const DataMap& data : read_data_maps()) {
         const Raster<std::uint32_t> truth = as_raster(data.truth);
-        report.add(data.name, data.building, data.kind, decide_by_truth(data.map, truth));
+        report.add(data.name, data.building, data.kind, decide_by_truth(data.map, truth, pieces));
         const auto add_changed = [&](const Resampling& change) {
-            report.add(
-                data.name, data.building, data.kind + " changed",
-                decide_by_truth(resample(data.map, change), resample_nearest(truth, change)));
+            report.add(data.name, data.building, data.kind + " changed",
+                       decide_by_truth(resample(data.map, change), resample_nearest(truth, change),
+                                       pieces));
         };
         for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
         for (const double cells : kScaled) add_changed(scaled(data.map, cells));
@@ -233,7 +246,7 @@ Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map
 }
 
 /// Buildings of all sizes and densities of furniture; each third also as a robot maps it.
-void add_simulated(int num_buildings, Report& report) {
+void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
     for (int i = 0; i < num_buildings; ++i) {
         sim::BuildingOptions options;
         options.seed = static_cast<std::uint64_t>(1000 + i);
@@ -243,27 +256,31 @@ void add_simulated(int num_buildings, Report& report) {
         const sim::Building building = sim::generate_building(options);
         const std::string name = "seed_" + std::to_string(options.seed);
         report.add(name, name, "simulated",
-                   decide_by_truth(building.map, truth_at(building, building.map)));
+                   decide_by_truth(building.map, truth_at(building, building.map), pieces));
         if (i % 2 != 0) continue;
         sim::RobotOptions robot;
         robot.seed = options.seed;
         const auto scans = sim::explore(building.map, sim::start_pose(building), robot).scans;
         const GridMap map = map_from_scans(scans, options.resolution_m).to_grid();
         report.add(name, name, "simulated and scanned",
-                   decide_by_truth(map, truth_at(building, map)));
+                   decide_by_truth(map, truth_at(building, map), pieces));
     }
 }
 
 int run(int argc, char** argv) {
     std::string csv;
     int num_buildings = 100;
+    PieceSource pieces = RoomsOptions{}.pieces;
     for (int i = 1; i + 1 < argc; i += 2) {
         if (std::string(argv[i]) == "-o") csv = argv[i + 1];
         if (std::string(argv[i]) == "--buildings") num_buildings = std::stoi(argv[i + 1]);
+        if (std::string(argv[i]) != "--pieces") continue;
+        const bool is_spectral = std::string(argv[i + 1]) == "spectral";
+        pieces = is_spectral ? PieceSource::spectral : PieceSource::basins;
     }
     Report report(csv);
-    add_data(report);
-    add_simulated(num_buildings, report);
+    add_data(pieces, report);
+    add_simulated(num_buildings, pieces, report);
     report.print();
     return 0;
 }

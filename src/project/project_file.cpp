@@ -73,14 +73,13 @@ Statement meta(const Database& database, std::string_view key) {
 /// Throws InputError when it has another one.
 bool is_without_choice(std::string_view name, std::string_view value) {
     // Components are the same however they are found; the others meant something for
-    // rooms.fuse=ratio or rooms.pieces=spectral only.
+    // rooms.fuse=ratio or the spectral cut of leaves only.
     if (name == "paper.components" || name == "rooms.min_ratio" || name == "rooms.max_eigenvalue" ||
         name == "rooms.laplacian" || name == "rooms.full_clearance") {
         return true;
     }
     const std::string_view left = name == "rooms.fuse"        ? "model"
                                   : name == "rooms.furniture" ? "off_wall"
-                                  : name == "rooms.pieces"    ? "basins"
                                                               : "";
     if (left.empty()) return false;
     if (value == left) return true;

@@ -16,7 +16,7 @@ WINGS = {
     "live": ("follow",),
     "above": ("zones", "route"),
 }
-MAX_LINES = {"rooms": 7535, "paper": 746, "live": 2950, "above": 820}
+MAX_LINES = {"rooms": 7799, "paper": 931, "live": 3016, "above": 823}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

@@ -18,6 +18,10 @@ void add_fields(RoomsOptions& options, std::vector<OptionField>& fields) {
     fields.push_back({"rooms.max_furniture", "m^2", 0.0, 100.0,
                       "isolated obstacles below this size do not count when widths are measured",
                       "", &options.max_furniture_m2});
+    fields.push_back({"rooms.pieces", "", 0, 0,
+                      "what is fused into rooms: basins of the clearance, or what the spectral cut "
+                      "of their graph makes of them",
+                      "eq. (5)", choice(options.pieces, {"basins", "spectral"})});
     fields.push_back({"rooms.min_room", "m^2", 0.0, 1e6,
                       "smaller regions join the neighbour with the widest opening", "",
                       &options.min_room_m2});

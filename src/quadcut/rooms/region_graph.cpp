@@ -73,20 +73,24 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
       saddles_(num_pieces + 1) {
     std::iota(region_.begin(), region_.end(), 0U);
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
-    // Areas are numbers of cells at first.
     const auto extents = tally_by_label<Extent>(
         pieces, executor,
         [&](Extent& extent, const LabelRun& run) {
-            extent.area_m2 += static_cast<double>(run.num_cells);
+            const auto num_cells = static_cast<double>(run.num_cells);
+            extent.num_cells += num_cells;
+            extent.sum_x += num_cells * (static_cast<double>(run.x) + 0.5 * (num_cells - 1.0));
+            extent.sum_y += num_cells * static_cast<double>(run.y);
             extent.peak_m = static_cast<double>(largest(
                 &clearance_m.values[run.offset], run.num_cells, static_cast<float>(extent.peak_m)));
         },
         [](Extent& extent, const Extent& other) {
-            extent.area_m2 += other.area_m2;
+            extent.num_cells += other.num_cells;
+            extent.sum_x += other.sum_x;
+            extent.sum_y += other.sum_y;
             extent.peak_m = std::max(extent.peak_m, other.peak_m);
         });
     std::copy(extents.begin(), extents.end(), extent_.begin());
-    for (Extent& extent : extent_) extent.area_m2 = extent.area_m2 * resolution_m * resolution_m;
+    for (Extent& extent : extent_) extent.area_m2 = extent.num_cells * resolution_m * resolution_m;
     for (const auto& [pair, saddle] : saddles) {
         saddles_[pair.first].emplace(pair.second, saddle);
         saddles_[pair.second].emplace(pair.first, turned(saddle));
@@ -114,6 +118,9 @@ void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
     extent_[a].area_m2 += extent_[b].area_m2;
     extent_[a].peak_m = std::max(extent_[a].peak_m, extent_[b].peak_m);
     extent_[a].num_openings += extent_[b].num_openings;
+    extent_[a].num_cells += extent_[b].num_cells;
+    extent_[a].sum_x += extent_[b].sum_x;
+    extent_[a].sum_y += extent_[b].sum_y;
     ++version_[a];
     saddles_[a].erase(b);
     measured_.erase(pair_of(a, b));

@@ -62,6 +62,11 @@ public:
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
     [[nodiscard]] double peak_m(std::uint32_t region) const { return extent_[region].peak_m; }
+    /// The mean place of the region's cells, in cells of the raster.
+    [[nodiscard]] Point centroid(std::uint32_t region) const {
+        const Extent& extent = extent_[region];
+        return {extent.sum_x / extent.num_cells, extent.sum_y / extent.num_cells};
+    }
     /// How often the region has been joined with another.
     [[nodiscard]] std::uint32_t version(std::uint32_t region) const { return version_[region]; }
 
@@ -86,6 +91,10 @@ private:
     struct Extent {
         double area_m2 = 0.0;
         double peak_m = 0.0;
+        /// Of the raster's cells, whole numbers: their sums are exact in any order.
+        double num_cells = 0.0;
+        double sum_x = 0.0;
+        double sum_y = 0.0;
         /// Openings beyond the raster.
         std::size_t num_openings = 0;
     };

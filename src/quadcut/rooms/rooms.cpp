@@ -9,11 +9,13 @@
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/map/flood.hpp"
 #include "quadcut/rooms/basins.hpp"
+#include "quadcut/rooms/contracted_graph.hpp"
 #include "quadcut/rooms/fuse.hpp"
 #include "quadcut/rooms/hierarchy.hpp"
 #include "quadcut/rooms/label_tally.hpp"
 #include "quadcut/rooms/open_space.hpp"
 #include "quadcut/rooms/regions.hpp"
+#include "quadcut/rooms/spectral_pieces.hpp"
 
 namespace quadcut {
 namespace {
@@ -79,9 +81,9 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     clock.begin("cut");
     open = {};  // The basins are the memory's peak.
-    Basins pieces = build_basins(cut.clearance_m, floor.resolution_m, executor);
-    cut.rooms = std::move(pieces.labels);
-    cut.num_pieces = pieces.count;
+    Basins basins = build_basins(cut.clearance_m, floor.resolution_m, executor);
+    cut.rooms = std::move(basins.labels);
+    cut.num_pieces = basins.count;
     clock.begin("graph");
     // A whole map may be so large that there is no room for both.
     const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;
@@ -91,6 +93,13 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     cut.report.num_leaves = cut.num_pieces;
     cut.report.num_edges = regions.num_saddles();
     if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
+    if (options.pieces == PieceSource::spectral) {
+        const ContractedGraph contracted = contract(regions);
+        clock.begin("eigen");
+        Pieces pieces = cut_spectrally(contracted.graph, options.min_room_m2, executor);
+        join_pieces(regions, contracted, pieces);
+        cut.report.eigen = std::move(pieces.eigen);
+    }
     clock.begin("fuse");
     fuse_into_rooms(floor, options, executor, regions, cut, hierarchy);
     return cut;

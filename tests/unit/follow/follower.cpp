@@ -30,9 +30,13 @@ io::LabelImage image_of(const Raster<std::uint16_t>& labels) {
     return io::number_regions(labels.width, labels.height, values);
 }
 
-TEST(Follower, EndsWithTheRoomsOfItsMap) {
+class FollowerOfPieces : public testing::TestWithParam<PieceSource> {};
+
+TEST_P(FollowerOfPieces, EndsWithTheRoomsOfItsMap) {
     const std::vector<Scan> scans = scans_in(small_building(3));
-    Follower follower;
+    FollowOptions options;
+    options.segment.rooms.pieces = GetParam();
+    Follower follower(options);
     std::vector<Point> trajectory;
     std::set<RoomId> born;
     for (const Scan& scan : scans) {
@@ -50,7 +54,7 @@ TEST(Follower, EndsWithTheRoomsOfItsMap) {
     }
     follower.finish();
     const Segmentation followed = follower.rooms();
-    const Segmentation batch = segment(follower.map().to_grid(), {}, {}, trajectory);
+    const Segmentation batch = segment(follower.map().to_grid(), options.segment, {}, trajectory);
     const eval::RoomScore score =
         eval::score_rooms(image_of(followed.labels), image_of(batch.labels));
     EXPECT_GT(score.pq, 0.95);
@@ -61,6 +65,9 @@ TEST(Follower, EndsWithTheRoomsOfItsMap) {
         ASSERT_LE(followed.labels.values[i], followed.rooms.size());
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Pieces, FollowerOfPieces,
+                         testing::Values(PieceSource::basins, PieceSource::spectral));
 
 TEST(Follower, AGridThatAMapperShiftsKeepsItsIds) {
     const GridMap map = small_building(5).map;

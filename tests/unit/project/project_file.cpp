@@ -102,7 +102,7 @@ TEST(ProjectFile, OptionsThatAreNoneAnyMoreAreReadOver) {
     Database(path, Access::write)
         .run(
             "INSERT INTO options VALUES('rooms.fuse', 'model'), ('rooms.furniture', 'off_wall'), "
-            "('rooms.min_ratio', '0.6'), ('rooms.pieces', 'basins'), ('rooms.laplacian', 'area'), "
+            "('rooms.min_ratio', '0.6'), ('rooms.laplacian', 'area'), "
             "('rooms.max_eigenvalue', '0.8'), ('rooms.full_clearance', '1.5'), "
             "('paper.components', 'null_space')");
     EXPECT_EQ(num_rooms_in(path), 2U);
@@ -110,7 +110,7 @@ TEST(ProjectFile, OptionsThatAreNoneAnyMoreAreReadOver) {
          {std::array{"rooms.fuse", "ratio",
                      "was begun with rooms.fuse = ratio, which is no choice"},
           std::array{"rooms.furniture", "reach", "expected off_wall; 'quadcut follow LOG -o DIR"},
-          std::array{"rooms.pieces", "spectral", "no choice any more: expected basins"},
+          std::array{"rooms.pieces", "unsnapped", "expected basins or spectral"},
           std::array{"rooms.other", "1", "unknown option 'rooms.other'"}}) {
         const std::string row = std::string("VALUES('") + name + "', '" + value + "')";
         const std::filesystem::path file = folder.path() / name;

@@ -184,9 +184,26 @@ GridMap many_offices() {
     return map;
 }
 
-TEST(Segment, ThreadsDoNotChangeManyRooms) {
-    const GridMap map = many_offices();
+SegmentOptions with_pieces(PieceSource pieces) {
     SegmentOptions options;
+    options.rooms.pieces = pieces;
+    return options;
+}
+
+TEST(Segment, SpectralPiecesMakeTheRoomsOfTheOffice) {
+    const Segmentation result = segment(office(), with_pieces(PieceSource::spectral));
+    const Segmentation basins = segment(office(), with_pieces(PieceSource::basins));
+    EXPECT_EQ(result.labels.values, basins.labels.values);
+    EXPECT_TRUE(basins.report.eigen.empty());
+    ASSERT_FALSE(result.report.eigen.empty());
+    EXPECT_NEAR(result.report.eigen.front().eigenvalues.front(), 0.0, 1e-9);
+}
+
+class ManyRooms : public testing::TestWithParam<PieceSource> {};
+
+TEST_P(ManyRooms, AreTheSameOnAnyNumberOfThreads) {
+    const GridMap map = many_offices();
+    SegmentOptions options = with_pieces(GetParam());
     options.with_hierarchy = true;
     const Segmentation one = segment(map, options, RunOptions{1});
     EXPECT_EQ(one.rooms.size(), 16U * 7U);
@@ -198,6 +215,9 @@ TEST(Segment, ThreadsDoNotChangeManyRooms) {
         EXPECT_EQ(many.doors[i].confidence, one.doors[i].confidence);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Pieces, ManyRooms,
+                         testing::Values(PieceSource::basins, PieceSource::spectral));
 
 TEST(Segment, AnOutlinedTableInAHallIsNoRoomAtTheGranularityOfTheHall) {
     // 20 x 14 m with a table of 12 m^2, drawn as an outline, in the middle.
@@ -272,12 +292,15 @@ std::vector<double> sorted_areas(const Segmentation& result) {
 
 TEST(Segment, TurningAndMirroringDoNotMatter) {
     const GridMap map = office();
-    const std::vector<double> areas = sorted_areas(segment(map));
-    for (const GridMap& other : {turned(map), turned(turned(map)), mirrored(map)}) {
-        const std::vector<double> other_areas = sorted_areas(segment(other));
-        ASSERT_EQ(other_areas.size(), areas.size());
-        for (std::size_t i = 0; i < areas.size(); ++i) {
-            EXPECT_DOUBLE_EQ(other_areas[i], areas[i]) << "the same rooms to the cell";
+    for (const PieceSource pieces : {PieceSource::basins, PieceSource::spectral}) {
+        const SegmentOptions options = with_pieces(pieces);
+        const std::vector<double> areas = sorted_areas(segment(map, options));
+        for (const GridMap& other : {turned(map), turned(turned(map)), mirrored(map)}) {
+            const std::vector<double> other_areas = sorted_areas(segment(other, options));
+            ASSERT_EQ(other_areas.size(), areas.size());
+            for (std::size_t i = 0; i < areas.size(); ++i) {
+                EXPECT_DOUBLE_EQ(other_areas[i], areas[i]) << "the same rooms to the cell";
+            }
         }
     }
 }
@@ -290,7 +313,10 @@ TEST(Segment, PaddingDoesNotMatter) {
         const Cell cell = map.states.cell(i);
         padded.states.at({cell.x + 37, cell.y + 21}) = map.states.values[i];
     }
-    EXPECT_EQ(sorted_areas(segment(padded)), sorted_areas(segment(map)));
+    for (const PieceSource pieces : {PieceSource::basins, PieceSource::spectral}) {
+        const SegmentOptions options = with_pieces(pieces);
+        EXPECT_EQ(sorted_areas(segment(padded, options)), sorted_areas(segment(map, options)));
+    }
 }
 
 TEST(Segment, TheHierarchyIsNestedAndChangesNoRoom) {
