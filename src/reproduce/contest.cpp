@@ -99,6 +99,8 @@ Table table_of(const Contest& contest, const Value& paper_ms, const Value& paper
         [](const Contender& c) { return number(c.quality.cut_percent, 2); });
     row("largest region over the mean", "", words("balanced"),
         [](const Contender& c) { return number(c.quality.imbalance, 2); });
+    row("border across open floor", "%", none(),
+        [](const Contender& c) { return number(c.quality.open_border_percent, 1); });
     if (contest.paper.quality.pq_percent) {
         row("PQ against the true rooms", "%", none(), [](const Contender& c) {
             return c.quality.pq_percent ? number(*c.quality.pq_percent, 1) : none();

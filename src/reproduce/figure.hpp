@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "reproduce/claim.hpp"
 
 namespace quadcut::reproduce {
 
@@ -35,17 +38,15 @@ struct Table {
     std::vector<Row> rows;
 };
 
+/// How much of the page's width a picture takes: half is for two beside each other.
+enum class Span : std::uint8_t { half, full };
+
 /// A file of the page: .svg or .png.
 struct Picture {
     std::string file;
     std::string bytes;
     std::string caption;
-};
-
-/// Whether a claim of the paper is met, in words with the measured numbers in them.
-struct Claim {
-    bool holds = false;
-    std::string text;
+    Span span = Span::half;
 };
 
 /// The counterpart of one or several figures of the paper.

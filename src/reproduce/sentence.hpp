@@ -3,9 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
-
-#include "reproduce/figure.hpp"
 
 namespace quadcut::reproduce {
 
@@ -21,10 +18,5 @@ namespace quadcut::reproduce {
 /// "284 times as fast as" or "3.2 times as slow as", of ours against theirs; "about as fast as"
 /// within a tenth.
 [[nodiscard]] std::string speed_against(double ours_ms, double theirs_ms);
-
-/// One sentence on all claims: "Agrees: ...", "Differs: ...", or "Agrees in 2 of 3: ...; differs:
-/// ...".
-[[nodiscard]] std::string verdict(const std::vector<Claim>& claims);
-[[nodiscard]] bool agrees(const std::vector<Claim>& claims);
 
 }  // namespace quadcut::reproduce
