@@ -31,17 +31,16 @@ std::vector<std::pair<Point, Point>> links_of(const Contest& contest) {
 SubmapNumbers numbers_of(const Contest& contest, std::size_t num_told) {
     const Quality& paper = contest.paper.quality;
     const Quality& positions = contest.positions.quality;
+    const auto count = [](std::size_t number) { return static_cast<double>(number); };
     SubmapNumbers numbers;
     numbers.num_told = num_told;
-    numbers.num_made = static_cast<double>(paper.num_regions);
-    numbers.coupling_ratio = paper.coupling_percent / positions.coupling_percent;
-    numbers.cut_ratio = paper.cut_percent / positions.cut_percent;
-    numbers.imbalance_ratio = paper.imbalance / contest.voronoi.quality.imbalance;
-    numbers.num_broken = static_cast<double>(paper.num_broken);
-    numbers.num_broken_by_position = static_cast<double>(positions.num_broken);
-    numbers.position_time_ratio = contest.positions.elapsed_ms / contest.paper.elapsed_ms;
-    numbers.voronoi_units_ratio = static_cast<double>(contest.voronoi.num_units) /
-                                  static_cast<double>(contest.paper.num_units);
+    numbers.num_made = count(paper.num_regions);
+    numbers.coupling_percent = {paper.coupling_percent, positions.coupling_percent};
+    numbers.cut_percent = {paper.cut_percent, positions.cut_percent};
+    numbers.num_broken = {count(paper.num_broken), count(positions.num_broken)};
+    numbers.elapsed_ms = {contest.paper.elapsed_ms, contest.positions.elapsed_ms};
+    numbers.imbalance = {paper.imbalance, contest.voronoi.quality.imbalance};
+    numbers.num_units = {count(contest.paper.num_units), count(contest.voronoi.num_units)};
     return numbers;
 }
 

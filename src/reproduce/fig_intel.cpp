@@ -155,12 +155,16 @@ IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Se
            "%",
            {none(), pq_of(intel.paper, world), pq_of(intel.rooms, world)}}}});
     result.headlines = headlines_of(world, contest, local, intel);
-    const auto percent = [](const std::optional<double>& pq) { return pq.value_or(0.0); };
-    figure.claims = judge(IntelNumbers{
-        contest.paper.elapsed_ms, local.median_ms, percent(contest.paper.quality.pq_percent),
-        percent(pq_percent(labels_of_cells(intel.paper.rooms()), intel.paper.map(), world)),
-        percent(contest.positions.quality.pq_percent), contest.paper.quality.open_border_percent,
-        contest.rooms.quality.open_border_percent});
+    IntelNumbers numbers;
+    numbers.whole_ms = contest.paper.elapsed_ms;
+    numbers.local_ms = local.median_ms;
+    numbers.pq_percent = {contest.paper.quality.pq_percent.value_or(0.0),
+                          contest.positions.quality.pq_percent.value_or(0.0)};
+    numbers.followed_pq_percent =
+        pq_percent(labels_of_cells(intel.paper.rooms()), intel.paper.map(), world).value_or(0.0);
+    numbers.open_border_percent = {contest.paper.quality.open_border_percent,
+                                   contest.rooms.quality.open_border_percent};
+    figure.claims = judge(numbers);
     return result;
 }
 

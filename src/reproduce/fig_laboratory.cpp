@@ -120,10 +120,11 @@ Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory, c
     figure.tables = {followed_table(world, paper, rooms), table_of(contest, none(), none())};
     figure.tables[1].title = "The whole map at once";
     const std::optional<double> pq = pq_percent(labels_of_cells(paper.rooms()), paper.map(), world);
-    figure.claims = judge(
-        LaboratoryNumbers{half_like_end(paper), static_cast<double>(half(paper).rooms.rooms.size()),
-                          pq.value_or(0.0), static_cast<double>(cut_rooms(paper, world)),
-                          static_cast<double>(cut_rooms(rooms, world))});
+    figure.claims = judge(LaboratoryNumbers{half_like_end(paper),
+                                            static_cast<double>(half(paper).rooms.rooms.size()),
+                                            pq.value_or(0.0),
+                                            {static_cast<double>(cut_rooms(paper, world)),
+                                             static_cast<double>(cut_rooms(rooms, world))}});
     return figure;
 }
 

@@ -97,22 +97,27 @@ struct GrowthNumbers {
 };
 [[nodiscard]] std::vector<Claim> judge(const GrowthNumbers& numbers);
 
+/// A figure of the preset `paper`, and of what the paper sets it against.
+struct Against {
+    double paper = 0.0;
+    double other = 0.0;
+};
+
 /// Figs 15-17: told a number of submaps.
 struct SubmapNumbers {
     std::size_t num_told = 0;
     double num_made = 0.0;
-    /// The weight that leaves a submap and that between submaps, over those of k-means.
-    double coupling_ratio = 0.0;
-    double cut_ratio = 0.0;
-    /// The largest region over the mean, over that of the Voronoi graph.
-    double imbalance_ratio = 0.0;
-    /// Regions on both sides of a wall.
-    double num_broken = 0.0;
-    double num_broken_by_position = 0.0;
-    /// The time of k-means over that of the preset.
-    double position_time_ratio = 0.0;
-    /// Cells of the Voronoi graph over leaves.
-    double voronoi_units_ratio = 0.0;
+    /// The weight that leaves a submap, and that between submaps, percent; of k-means.
+    Against coupling_percent;
+    Against cut_percent;
+    /// Regions on both sides of a wall; of k-means.
+    Against num_broken;
+    /// Of k-means.
+    Against elapsed_ms;
+    /// The largest region over the mean; of the Voronoi graph.
+    Against imbalance;
+    /// Leaves; cells of the Voronoi graph.
+    Against num_units;
 };
 [[nodiscard]] std::vector<Claim> judge(const SubmapNumbers& numbers);
 
@@ -120,14 +125,11 @@ struct SubmapNumbers {
 struct IntelNumbers {
     double whole_ms = 0.0;
     double local_ms = 0.0;
-    /// PQ against the true rooms: of the whole map at once, of what following ends with, and of
-    /// k-means without a graph.
-    double pq_percent = 0.0;
+    /// Against the true rooms: the whole map at once; of k-means without a graph.
+    Against pq_percent;
     double followed_pq_percent = 0.0;
-    double position_pq_percent = 0.0;
-    /// Borders that lie across open floor, percent of their length.
-    double open_border_percent = 0.0;
-    double rooms_open_border_percent = 0.0;
+    /// Borders that lie across open floor, percent of their length; of the preset `rooms`.
+    Against open_border_percent;
 };
 [[nodiscard]] std::vector<Claim> judge(const IntelNumbers& numbers);
 
@@ -137,9 +139,8 @@ struct LaboratoryNumbers {
     double half_like_end_percent = 0.0;
     double num_half = 0.0;
     double pq_percent = 0.0;
-    /// True rooms that are cut apart.
-    double num_cut = 0.0;
-    double num_cut_by_rooms = 0.0;
+    /// True rooms that are cut apart; of the preset `rooms`.
+    Against num_cut;
 };
 [[nodiscard]] std::vector<Claim> judge(const LaboratoryNumbers& numbers);
 

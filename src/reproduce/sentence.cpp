@@ -18,6 +18,7 @@ std::string with_commas(std::string number) {
 }
 
 std::string in_words(double value) {
+    if (!std::isfinite(value)) return "no number";
     const double magnitude = std::abs(value);
     const int decimals = magnitude >= 100.0 ? 0 : magnitude >= 10.0 ? 1 : magnitude >= 0.1 ? 2 : 4;
     return with_commas(io::rounded(value, decimals));

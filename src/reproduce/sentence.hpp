@@ -11,7 +11,8 @@ namespace quadcut::reproduce {
 /// A number with commas between its thousands: 17,300.25.
 [[nodiscard]] std::string with_commas(std::string number);
 
-/// Two or three significant digits, thousands with commas: 17,300, 43, 0.31.
+/// Two or three significant digits, thousands with commas: 17,300, 43, 0.31; "no number" for
+/// what is not finite.
 [[nodiscard]] std::string in_words(double value);
 
 /// "3.2 times as long as", "a 284th of the time of" is harder to read than what this says:
