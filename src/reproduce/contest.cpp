@@ -115,10 +115,13 @@ std::vector<Picture> pictures_of(const Contest& contest, const World& world,
         return plan_picture(name + "_" + method + ".png", world.map, contender.rooms,
                             caption(words, contender));
     };
-    return {picture("paper", "Preset paper", contest.paper),
-            picture("rooms", "Preset rooms", contest.rooms),
-            picture("kmeans", "k-means of positions, no graph", contest.positions),
-            picture("voronoi", "Voronoi graph, cut where it is narrowest", contest.voronoi)};
+    std::vector<Picture> pictures{
+        picture("paper", "Preset paper", contest.paper),
+        picture("rooms", "Preset rooms", contest.rooms),
+        picture("kmeans", "k-means of positions, no graph", contest.positions),
+        picture("voronoi", "Voronoi graph, cut where it is narrowest", contest.voronoi)};
+    pictures.front().span = Span::full;
+    return pictures;
 }
 
 }  // namespace quadcut::reproduce

@@ -44,7 +44,7 @@ struct Contest {
 [[nodiscard]] Table table_of(const Contest& contest, const Value& paper_ms,
                              const Value& paper_regions);
 
-/// Pictures of all four, NAME_paper.png and so on.
+/// Pictures of all four, NAME_paper.png and so on; the first as wide as the page.
 [[nodiscard]] std::vector<Picture> pictures_of(const Contest& contest, const World& world,
                                                const std::string& name);
 

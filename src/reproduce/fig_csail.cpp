@@ -73,6 +73,7 @@ Figure figures_15_to_17(const Worlds& worlds, const Setup& setup) {
     std::vector<Picture> results = pictures_of(contest, world, "fig17");
     results[0] = plan_picture("fig17_paper.png", world.map, contest.paper.rooms,
                               "Fig 17: " + results[0].caption, links);
+    results[0].span = Span::full;
     for (Picture& picture : results) figure.pictures.push_back(std::move(picture));
     figure.tables = {table_of(contest, none(), number(kNumSubmaps))};
     figure.tables[0].rows.push_back({"pairs of submaps with an edge",
