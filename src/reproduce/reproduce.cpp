@@ -18,7 +18,7 @@ constexpr std::size_t kNumParts = 18;
 constexpr std::size_t kNumMoments = 6;
 // The preset `paper` follows on cells with which its graphs are as large as those that the paper
 // speaks of, some hundred nodes; one building it follows on the fine cells of all else.
-constexpr double kWorkplaceCellM = 0.1;
+constexpr double kMiddleCellM = 0.1;
 constexpr double kCoarseCellM = 0.2;
 
 /// Counts the parts.
@@ -45,14 +45,11 @@ Worlds make_worlds(const Options& options, Parts& parts) {
     worlds.intel = intel(options.data, options.size, options.seed);
     parts.begin("laboratory");
     worlds.laboratory = laboratory(options.data, options.size, options.seed);
-    worlds.workplace.paper_cell_m = kWorkplaceCellM;
+    const bool is_small = options.size == Size::small;
+    worlds.workplace.paper_cell_m = is_small ? kCoarseCellM : kMiddleCellM;
+    worlds.mit_csail.paper_cell_m = is_small ? kCoarseCellM : kResolutionM;
     worlds.intel.paper_cell_m = kCoarseCellM;
-    worlds.laboratory.paper_cell_m = kCoarseCellM;
-    // In small worlds all is coarse.
-    if (options.size == Size::small) {
-        worlds.workplace.paper_cell_m = kCoarseCellM;
-        worlds.mit_csail.paper_cell_m = kCoarseCellM;
-    }
+    worlds.laboratory.paper_cell_m = is_small ? kCoarseCellM : kMiddleCellM;
     return worlds;
 }
 
