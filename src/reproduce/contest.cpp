@@ -102,9 +102,8 @@ Table table_of(const Contest& contest, const Value& paper_ms, const Value& paper
     row("border across open floor", "%", none(),
         [](const Contender& c) { return number(c.quality.open_border_percent, 1); });
     if (contest.paper.quality.pq_percent) {
-        row("PQ against the true rooms", "%", none(), [](const Contender& c) {
-            return c.quality.pq_percent ? number(*c.quality.pq_percent, 1) : none();
-        });
+        row("PQ against the true rooms", "%", none(),
+            [](const Contender& c) { return number(c.quality.pq_percent, 1); });
     }
     return table;
 }

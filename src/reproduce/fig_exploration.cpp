@@ -22,12 +22,6 @@ std::size_t count_in_all(const Followed& followed) {
     return count;
 }
 
-Value pq_of(const Followed& followed, const World& world) {
-    const std::optional<double> pq =
-        pq_percent(labels_of_cells(followed.rooms()), followed.map(), world);
-    return pq ? number(*pq, 1) : none();
-}
-
 Table table_of(const World& world, const FollowedTwice& twice, const Value& paper_submaps) {
     const auto row = [&twice](const char* name, const char* unit, const Value& said,
                               const auto& value_of) {
@@ -45,7 +39,9 @@ Table table_of(const World& world, const FollowedTwice& twice, const Value& pape
          row("regions that the way does not cross, all moments", "", number(std::size_t{0}),
              [](const Followed& f) { return number(count_in_all(f)); }),
          row("PQ against the true rooms", "%", none(),
-             [&world](const Followed& f) { return pq_of(f, world); }),
+             [&world](const Followed& f) {
+                 return number(pq_percent(f.rooms(), f.map(), world), 1);
+             }),
          row("median time of a cut", "ms", none(),
              [](const Followed& f) { return number(median(heights(f.cut_ms)), 1); })}};
 }

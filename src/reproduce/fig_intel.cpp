@@ -82,12 +82,6 @@ LocalCuts cut_around(const World& world, const Setup& setup) {
     return {median(times_ms), num_nodes / count};
 }
 
-Value pq_of(const Followed& followed, const World& world) {
-    const std::optional<double> pq =
-        pq_percent(labels_of_cells(followed.rooms()), followed.map(), world);
-    return pq ? number(*pq, 1) : none();
-}
-
 /// The lines of the summary.
 std::vector<Headline> headlines_of(const World& world, const Contest& contest,
                                    const LocalCuts& local, const FollowedTwice& intel) {
@@ -153,7 +147,8 @@ IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Se
             number(mean(intel.rooms.cut_nodes), 0)}},
           {"PQ of what following ends with",
            "%",
-           {none(), pq_of(intel.paper, world), pq_of(intel.rooms, world)}}}});
+           {none(), number(pq_percent(intel.paper.rooms(), intel.paper.map(), world), 1),
+            number(pq_percent(intel.rooms.rooms(), intel.rooms.map(), world), 1)}}}});
     result.headlines = headlines_of(world, contest, local, intel);
     IntelNumbers numbers;
     numbers.whole_ms = contest.paper.elapsed_ms;
@@ -161,7 +156,7 @@ IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Se
     numbers.pq_percent = {contest.paper.quality.pq_percent.value_or(0.0),
                           contest.positions.quality.pq_percent.value_or(0.0)};
     numbers.followed_pq_percent =
-        pq_percent(labels_of_cells(intel.paper.rooms()), intel.paper.map(), world).value_or(0.0);
+        pq_percent(intel.paper.rooms(), intel.paper.map(), world).value_or(0.0);
     numbers.open_border_percent = {contest.paper.quality.open_border_percent,
                                    contest.rooms.quality.open_border_percent};
     figure.claims = judge(numbers);

@@ -36,11 +36,6 @@ double half_like_end(const Followed& followed) {
                              followed.rooms());
 }
 
-Value pq_value(const draw::Moment& moment, const World& world) {
-    const std::optional<double> pq = pq_percent(labels_of_cells(moment.rooms), moment.map, world);
-    return pq ? number(*pq, 1) : none();
-}
-
 std::size_t cut_rooms(const Followed& followed, const World& world) {
     return count_cut_rooms(labels_of_cells(followed.rooms()), followed.map(), world);
 }
@@ -77,34 +72,34 @@ Table clutter_table(const Worlds& worlds) {
 }
 
 Table followed_table(const World& world, const Followed& paper, const Followed& rooms) {
-    return {
-        "Followed",
-        {"the paper", "preset paper", "preset rooms"},
-        {{"submaps at half the way (Fig 21)",
-          "",
-          {number(kPaperHalfSubmaps), number(half(paper).rooms.rooms.size()),
-           number(half(rooms).rooms.rooms.size())}},
-         {"like the final result where both are, PQ",
-          "%",
-          {words("very similar"), number(half_like_end(paper), 1),
-           number(half_like_end(rooms), 1)}},
-         {"submaps at the end (Fig 22)",
-          "",
-          {none(), number(paper.rooms().rooms.size()), number(rooms.rooms().rooms.size())}},
-         {"true rooms that were seen",
-          "",
-          {none(), number(num_true_rooms(world, paper.map())),
-           number(num_true_rooms(world, rooms.map()))}},
-         {"true rooms that are cut apart",
-          "",
-          {words("some"), number(cut_rooms(paper, world)), number(cut_rooms(rooms, world))}},
-         {"PQ against the true rooms at the end",
-          "%",
-          {none(), pq_value(paper.moments.back(), world), pq_value(rooms.moments.back(), world)}},
-         {"median time of a cut",
-          "ms",
-          {none(), number(median(heights(paper.cut_ms)), 1),
-           number(median(heights(rooms.cut_ms)), 1)}}}};
+    return {"Followed",
+            {"the paper", "preset paper", "preset rooms"},
+            {{"submaps at half the way (Fig 21)",
+              "",
+              {number(kPaperHalfSubmaps), number(half(paper).rooms.rooms.size()),
+               number(half(rooms).rooms.rooms.size())}},
+             {"like the final result where both are, PQ",
+              "%",
+              {words("very similar"), number(half_like_end(paper), 1),
+               number(half_like_end(rooms), 1)}},
+             {"submaps at the end (Fig 22)",
+              "",
+              {none(), number(paper.rooms().rooms.size()), number(rooms.rooms().rooms.size())}},
+             {"true rooms that were seen",
+              "",
+              {none(), number(num_true_rooms(world, paper.map())),
+               number(num_true_rooms(world, rooms.map()))}},
+             {"true rooms that are cut apart",
+              "",
+              {words("some"), number(cut_rooms(paper, world)), number(cut_rooms(rooms, world))}},
+             {"PQ against the true rooms at the end",
+              "%",
+              {none(), number(pq_percent(paper.rooms(), paper.map(), world), 1),
+               number(pq_percent(rooms.rooms(), rooms.map(), world), 1)}},
+             {"median time of a cut",
+              "ms",
+              {none(), number(median(heights(paper.cut_ms)), 1),
+               number(median(heights(rooms.cut_ms)), 1)}}}};
 }
 
 }  // namespace
@@ -156,7 +151,7 @@ Figure figures_20_to_22(const Worlds& worlds, const FollowedTwice& laboratory, c
     figure.tables = {followed_table(world, paper, rooms), table_of(contest, none(), none()),
                      clutter_table(worlds)};
     figure.tables[1].title = "The whole map at once";
-    const std::optional<double> pq = pq_percent(labels_of_cells(paper.rooms()), paper.map(), world);
+    const std::optional<double> pq = pq_percent(paper.rooms(), paper.map(), world);
     figure.claims = judge(LaboratoryNumbers{half_like_end(paper),
                                             static_cast<double>(half(paper).rooms.rooms.size()),
                                             pq.value_or(0.0),

@@ -66,11 +66,6 @@ double coupling_ratio(const MapGraph& graph, const Segmentation& rooms, const Gr
     return made.coupling_percent / truth.coupling_percent;
 }
 
-Value pq_of(const Segmentation& rooms, const GridMap& map, const World& world) {
-    const std::optional<double> pq = pq_percent(labels_of_cells(rooms), map, world);
-    return pq ? number(*pq, 1) : none();
-}
-
 }  // namespace
 
 Figure figure_11(const Worlds& worlds, const Setup& setup) {
@@ -122,12 +117,12 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
             number(std::size_t{0})}},
           {"PQ against the five rooms",
            "%",
-           {none(), pq_of(open, open_map, world), pq_of(chosen, map, world),
-            pq_of(told, map, world), pq_of(rooms, map, world)}}}}};
-    figure.claims =
-        judge(WorkplaceNumbers{static_cast<double>(num_inside), static_cast<double>(num_outside),
-                               *pq_percent(labels_of_cells(open), open_map, world),
-                               coupling_ratio(graph, open, open_map, map, world)});
+           {none(), number(pq_percent(open, open_map, world), 1),
+            number(pq_percent(chosen, map, world), 1), number(pq_percent(told, map, world), 1),
+            number(pq_percent(rooms, map, world), 1)}}}}};
+    figure.claims = judge(WorkplaceNumbers{
+        static_cast<double>(num_inside), static_cast<double>(num_outside),
+        *pq_percent(open, open_map, world), coupling_ratio(graph, open, open_map, map, world)});
     return figure;
 }
 

@@ -23,6 +23,9 @@ struct Value {
 [[nodiscard]] inline Value number(std::size_t value) { return {static_cast<double>(value), 0, {}}; }
 [[nodiscard]] inline Value words(std::string text) { return {std::nullopt, 0, std::move(text)}; }
 [[nodiscard]] inline Value none() { return {}; }
+[[nodiscard]] inline Value number(const std::optional<double>& value, int decimals) {
+    return value ? number(*value, decimals) : none();
+}
 
 /// One quantity in each column; a unit that ends in ms marks what differs from run to run.
 struct Row {

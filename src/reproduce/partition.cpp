@@ -79,6 +79,11 @@ std::optional<double> pq_percent(const Raster<std::uint32_t>& labels, const Grid
     return 100.0 * eval::score_rooms(as_label_image(judged), as_label_image(truth)).pq;
 }
 
+std::optional<double> pq_percent(const Segmentation& rooms, const GridMap& map,
+                                 const World& world) {
+    return pq_percent(labels_of_cells(rooms), map, world);
+}
+
 Quality quality_of(const MapGraph& graph, const Raster<std::uint32_t>& labels, const GridMap& map,
                    const World& world) {
     const std::vector<std::uint32_t> label_of = labels_of_nodes(graph, labels);

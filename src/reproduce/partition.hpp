@@ -54,6 +54,10 @@ struct Quality {
 [[nodiscard]] std::optional<double> pq_percent(const Raster<std::uint32_t>& labels,
                                                const GridMap& map, const World& world);
 
+/// The same of a result on the cells of `map`.
+[[nodiscard]] std::optional<double> pq_percent(const Segmentation& rooms, const GridMap& map,
+                                               const World& world);
+
 /// True rooms of which no region holds 85 % of what is labelled: they are cut apart.
 [[nodiscard]] std::size_t count_cut_rooms(const Raster<std::uint32_t>& labels, const GridMap& map,
                                           const World& world);
