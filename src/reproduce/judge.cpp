@@ -62,7 +62,7 @@ std::vector<Claim> judge(const WorkplaceNumbers& numbers) {
              kPaperInnerSubmaps, "Fig 11(d) has five, where the paper knows two states"},
             {"outer submaps, two states", one(numbers.num_outer), "", Bound::at_least, 2.0,
              "the exterior is divided into several"},
-            {"PQ of all submaps against the five rooms", one(numbers.pq_percent), "%",
+            {"PQ of the main area against the five rooms", one(numbers.pq_percent), "%",
              Bound::at_least, kPeopleAgreePercent, kAsPeople},
             {"edge weight that leaves an inner submap, times that of a true room",
              one(numbers.coupling_ratio), "", Bound::at_most, 1.5,

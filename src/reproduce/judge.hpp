@@ -52,7 +52,7 @@ struct ThreadNumbers {
 struct WorkplaceNumbers {
     double num_inner = 0.0;
     double num_outer = 0.0;
-    /// Against the five rooms.
+    /// Of the main area, without the outside, against the five rooms.
     double pq_percent = 0.0;
     /// The weight that leaves a submap, over that which leaves a true room.
     double coupling_ratio = 0.0;
