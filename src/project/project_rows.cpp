@@ -148,6 +148,19 @@ void write_door_lines(const Database& database, const FollowedMap& state) {
     }
 }
 
+/// The robot's way only grows.
+void write_way(const Database& database, const FollowedMap& state) {
+    Statement count(database, "SELECT COUNT(*) FROM way");
+    count.step();
+    Statement insert(database, "INSERT INTO way VALUES(?, ?, ?)");
+    for (auto i = static_cast<std::size_t>(count.integer(0, 0, kMaxCount)); i < state.way.size();
+         ++i) {
+        insert.bind(1, signed_count(i));
+        bind_cell(insert, 2, state.way[i]);
+        insert.run();
+    }
+}
+
 void write_rest(const Database& database, const FollowedMap& state) {
     Statement(database, "DELETE FROM changes").run();
     Statement change(database, "INSERT INTO changes VALUES(?, ?, ?)");
@@ -183,16 +196,20 @@ void write_rest(const Database& database, const FollowedMap& state) {
     write("next_id", state.next_id);
     write("num_left_over", signed_count(state.num_left_over));
     write("cut_at", signed_count(state.cut_at));
+    write("roomless_low_x", state.seen_roomless.low.x);
+    write("roomless_low_y", state.seen_roomless.low.y);
+    write("roomless_high_x", state.seen_roomless.high.x);
+    write("roomless_high_y", state.seen_roomless.high.y);
     write("next_door_id", state.next_door_id);
     write("revision", static_cast<std::int64_t>(state.revision));
 }
 
-/// What projects before version 3 do not have.
+/// What projects before version 3 or 4 do not have.
 std::int64_t read_number_or(const Database& database, std::string_view key,
                             std::int64_t otherwise) {
     Statement row(database, "SELECT value FROM meta WHERE key = ?");
     row.bind(1, key);
-    return row.step() ? row.integer(0, 0, kMaxCount) : otherwise;
+    return row.step() ? row.integer(0, -4 * kMaxCoordinate, kMaxCount) : otherwise;
 }
 
 std::map<std::string, std::int64_t> read_numbers(const Database& database) {
@@ -209,6 +226,12 @@ std::map<std::string, std::int64_t> read_numbers(const Database& database) {
     }
     numbers["next_door_id"] = read_number_or(database, "next_door_id", 1);
     numbers["revision"] = read_number_or(database, "revision", 0);
+    for (const char* key : {"roomless_low_x", "roomless_low_y"}) {
+        numbers[key] = read_number_or(database, key, 0);
+    }
+    for (const char* key : {"roomless_high_x", "roomless_high_y"}) {
+        numbers[key] = read_number_or(database, key, -1);
+    }
     return numbers;
 }
 
@@ -238,6 +261,10 @@ FollowedMap read_meta(const Database& database, double resolution_m) {
     }
     state.written = {{coordinate("low_x", kMaxCoordinate), coordinate("low_y", kMaxCoordinate)},
                      {coordinate("high_x", kMaxCoordinate), coordinate("high_y", kMaxCoordinate)}};
+    state.seen_roomless = {{coordinate("roomless_low_x", kMaxCoordinate),
+                            coordinate("roomless_low_y", kMaxCoordinate)},
+                           {coordinate("roomless_high_x", kMaxCoordinate),
+                            coordinate("roomless_high_y", kMaxCoordinate)}};
     state.num_scans = count("num_scans");
     state.next_id = static_cast<std::uint32_t>(number("next_id", 1, kMaxRoom));
     state.num_left_over = count("num_left_over");
@@ -309,6 +336,13 @@ void read_lists(const Database& database, FollowedMap& state) {
     while (split.step()) state.split_lines.push_back({cell_at(split, 0), cell_at(split, 2)});
 }
 
+void read_way(const Database& database, FollowedMap& state) {
+    Statement table(database, "SELECT 1 FROM sqlite_master WHERE name = 'way'");
+    if (!table.step()) return;
+    Statement row(database, "SELECT x, y FROM way ORDER BY seq");
+    while (row.step()) state.way.push_back(cell_at(row, 0));
+}
+
 }  // namespace
 
 void bind_cell(Statement& statement, int place, Cell cell) {
@@ -325,6 +359,7 @@ void write_state(const Database& database, const FollowedMap& state, std::span<c
     write_rooms(database, state);
     write_doors(database, state);
     write_door_lines(database, state);
+    write_way(database, state);
     write_rest(database, state);
 }
 
@@ -333,6 +368,7 @@ FollowedMap read_state(const Database& database, const FollowOptions& options) {
     require_room_for(state, {});
     read_rooms_table(database, state);
     read_lists(database, state);
+    read_way(database, state);
     const bool is_placed = state.map.is_placed();
     const Root root = state.map.root();
     Statement row(database, "SELECT x, y, log_odds, rooms, cut_free FROM tiles ORDER BY y, x");

@@ -7,7 +7,7 @@
 namespace quadcut::project {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 16> kTables{{
+    static constexpr std::array<Table, 17> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
         {"door_lines",
          "CREATE TABLE door_lines(id INTEGER PRIMARY KEY, ax INTEGER, ay INTEGER, bx INTEGER, "
@@ -49,6 +49,7 @@ std::span<const Table> tables() {
          "locked INTEGER)",
          2},
         {"updates", "CREATE TABLE updates(seq INTEGER PRIMARY KEY, line TEXT)"},
+        {"way", "CREATE TABLE way(seq INTEGER PRIMARY KEY, x INTEGER, y INTEGER)", 4},
     }};
     return kTables;
 }

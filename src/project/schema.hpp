@@ -10,7 +10,7 @@ namespace quadcut::project {
 
 /// "QCUT".
 inline constexpr std::int64_t kApplicationId = 0x51435554;
-inline constexpr std::int64_t kFormatVersion = 3;
+inline constexpr std::int64_t kFormatVersion = 4;
 
 struct Table {
     std::string_view name;

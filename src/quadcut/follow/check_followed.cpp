@@ -77,6 +77,11 @@ void check(const FollowedMap& followed) {
     require_room_for(followed, {});
     check_rooms(followed);
     require_in_map(followed, followed.split_lines);
+    const Box& roomless = followed.seen_roomless;
+    if (!roomless.is_empty() &&
+        (!holds(followed.written, roomless.low) || !holds(followed.written, roomless.high))) {
+        throw InputError("what was seen lies outside of the map");
+    }
     check_cells(followed);
     check_doors(followed);
     std::size_t num_changed = 0;

@@ -78,6 +78,7 @@ void cut_box(FollowedMap& followed, const Box& decided, const SegmentOptions& op
     const Window window = read_window(followed, around, decided);
     WindowCut cut = cut_window(followed, window, options, executor);
     fill_split_lines(followed, cut);
+    if (drops_uncrossed(options)) drop_uncrossed(followed.way, cut);
     const std::size_t num_before = std::max<std::size_t>(1, update.changes.tiles.size());
     take_over(followed, window, cut, update);
     update.cells_read += cut.cells_read;
@@ -106,10 +107,12 @@ void cut_seen(FollowedMap& followed, const SegmentOptions& options, const Execut
     const Window window = window_of_seen(followed);
     WindowCut cut = cut_submaps(followed, window, options, executor);
     fill_split_lines(followed, cut);
+    if (drops_uncrossed(options)) drop_uncrossed(followed.way, cut);
     take_over(followed, window, cut, update);
     update.cells_read += cut.cells_read;
     update_doors(followed, window.decided, {}, options.rooms, executor, update.changes);
     followed.seen.clear();
+    followed.seen_roomless = {};
 }
 
 void cut_patches(FollowedMap& followed, const FollowOptions& options, double min_patch_m2,
@@ -132,6 +135,25 @@ double stale_share(const FollowedRoom& room) {
 }
 
 }  // namespace
+
+bool note_way(FollowedMap& followed, const Point& at, const FollowOptions& options,
+              Changes& changes) {
+    const Cell cell = followed.map.cell_at(at);
+    if (!followed.way.empty() && followed.way.back() == cell) return false;
+    followed.way.push_back(cell);
+    if (followed.rooms.empty() || !drops_uncrossed(options.segment)) return false;
+    const Cell tile = tile_of(cell);
+    const std::uint64_t cut_free = followed.cells.tile(tile).cut_free;
+    const bool is_roomless = followed.cells.room(cell) == 0 &&
+                             followed.map.state(cell) == CellState::free &&
+                             (cut_free >> place_in_tile(cell) & 1) != 0;
+    if (!is_roomless) return false;
+    for_each_cell(cells_of_tiles({tile, tile}), [&](Cell free) {
+        if (followed.cells.room(free) == 0) followed.cells.set_cut_free(free, false);
+    });
+    note_written(followed, {tile}, changes);
+    return true;
+}
 
 bool is_cut_due(const FollowedMap& followed, const FollowOptions& options) {
     const std::size_t num_new =

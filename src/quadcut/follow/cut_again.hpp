@@ -23,6 +23,11 @@ void cut_again(FollowedMap& followed, const FollowOptions& options, double min_p
 bool refine_stalest(FollowedMap& followed, const FollowOptions& options, double min_stale,
                     const Executor& executor, FollowUpdate& update);
 
+/// The robot's way goes on. Where it enters what was dropped for lying off it, the tile is noted
+/// as changed, and rooms are to be cut again at once: true.
+[[nodiscard]] bool note_way(FollowedMap& followed, const Point& at, const FollowOptions& options,
+                            Changes& changes);
+
 /// What was seen in and around a room that was locked counts from now on.
 void catch_up(FollowedMap& followed, const FollowOptions& options, std::uint32_t room,
               const Executor& executor, FollowUpdate& update);

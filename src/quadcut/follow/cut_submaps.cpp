@@ -19,12 +19,11 @@ namespace {
 constexpr std::int32_t kBlock = 128;
 
 /// Grows a box to such blocks of the quadtree.
-Box whole_blocks(const Box& box, const Root& root) {
+Box whole_blocks(const Box& box) {
     constexpr std::int32_t kMask = kBlock - 1;
-    const auto down = [](std::int32_t at, std::int32_t from) { return at - ((at - from) & kMask); };
-    return {
-        {down(box.low.x, root.lower_left.x), down(box.low.y, root.lower_left.y)},
-        {down(box.high.x, root.lower_left.x) + kMask, down(box.high.y, root.lower_left.y) + kMask}};
+    const auto down = [](std::int32_t at) { return at - (at & kMask); };
+    return {{down(box.low.x), down(box.low.y)},
+            {down(box.high.x) + kMask, down(box.high.y) + kMask}};
 }
 
 bool is_updated(const FollowedMap& followed, Cell cell) {
@@ -109,16 +108,21 @@ void join_merged(const FollowedMap& followed, const Window& window, WindowCut& c
 void note_seen(FollowedMap& followed, Preset preset, const std::vector<Cell>& tiles) {
     if (preset != Preset::paper) return;
     for (const Cell tile : tiles) {
+        const RoomTile& cells = followed.cells.tile(tile);
         std::uint32_t last = 0;
-        for (const std::uint32_t room : followed.cells.tile(tile).rooms) {
+        for (int i = 0; i < static_cast<int>(kTileCells); ++i) {
+            const std::uint32_t room = cells.rooms[static_cast<std::size_t>(i)];
             if (room != 0 && room != last) followed.seen.insert(room);
+            if (room == 0 && (cells.cut_free >> i & 1) != 0) {
+                followed.seen_roomless.include(cells_of_tiles({tile, tile}));
+            }
             last = room;
         }
     }
 }
 
 Window window_of_seen(const FollowedMap& followed) {
-    Box box;
+    Box box = followed.seen_roomless;
     for (const auto& [at, count] : followed.changed_tiles) {
         // And the tiles beside it.
         box.include(cells_of_tiles({{at.first - 1, at.second - 1}, {at.first + 1, at.second + 1}}));
@@ -127,7 +131,7 @@ Window window_of_seen(const FollowedMap& followed) {
         const auto room = followed.rooms.find(submap);
         if (room != followed.rooms.end()) box.include(room->second.box);
     }
-    box = whole_blocks(box, followed.map.root());
+    box = whole_blocks(box);
     return read_window(followed, box, box);
 }
 

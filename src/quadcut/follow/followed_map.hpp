@@ -64,6 +64,10 @@ struct FollowedMap {
     std::size_t num_left_over = 0;
     /// Preset `paper`: submaps seen with something new since the last cut.
     std::set<std::uint32_t> seen;
+    /// And what else was seen then: tiles with free cells that have no room, in cells.
+    Box seen_roomless;
+    /// Where the robot was, in order.
+    std::vector<Cell> way;
     std::size_t num_scans = 0;
     /// The number of scans when rooms were last cut.
     std::size_t cut_at = 0;

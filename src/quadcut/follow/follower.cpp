@@ -35,13 +35,13 @@ void add_counts(const OccupancyMap& map, const MapUpdate& change, FollowUpdate& 
 }  // namespace
 
 Follower::Follower(const FollowOptions& options, const RunOptions& run)
-    : options_(with_preset(options)),
+    : options_(options),
       executor_(run.executor()),
       state_(std::make_unique<FollowedMap>(options.resolution_m)),
       log_(std::make_unique<ChangeLog>()) {}
 
 Follower::Follower(const FollowOptions& options, FollowedMap state, const RunOptions& run)
-    : options_(with_preset(options)),
+    : options_(options),
       executor_(run.executor()),
       state_(std::make_unique<FollowedMap>(std::move(state))),
       log_(std::make_unique<ChangeLog>(state_->revision)) {
@@ -88,11 +88,14 @@ FollowUpdate Follower::add_scan(const Scan& scan) {
         ++state_->num_scans;
         add_counts(state_->map, change, update);
         note_written(*state_, change.written, update.changes);
-        if (!change.written.empty()) {
+        const Pose& pose = scan.world_from_sensor;
+        const bool is_entered = note_way(*state_, {pose.x, pose.y}, options_, update.changes);
+        if (is_entered || !change.written.empty()) {
             note_seen(*state_, options_.segment.preset, change.observed);
         }
-        if (is_cut_due(*state_, options_)) {
-            cut_again(*state_, options_, options_.min_patch_m2, executor_, update);
+        if (is_entered || is_cut_due(*state_, options_)) {
+            cut_again(*state_, options_, is_entered ? 0.0 : options_.min_patch_m2, executor_,
+                      update);
         }
         return true;
     });

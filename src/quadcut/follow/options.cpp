@@ -24,11 +24,4 @@ void add_fields(FollowOptions& options, std::vector<OptionField>& fields) {
                       &options.min_patch_m2});
 }
 
-FollowOptions with_preset(FollowOptions options) {
-    if (options.segment.preset == Preset::paper) {
-        options.integrate = latest_scan_wins(options.integrate);
-    }
-    return options;
-}
-
 }  // namespace quadcut

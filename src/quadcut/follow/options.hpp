@@ -13,7 +13,6 @@ struct OptionField;
 
 struct FollowOptions {
     SegmentOptions segment;
-    /// Preset `paper` takes latest_scan_wins() of it.
     IntegrateOptions integrate;
     double resolution_m = 0.05;
     /// Rooms are cut again when so much free space has changed.
@@ -30,8 +29,5 @@ struct FollowOptions {
 /// Adds those of segment(), of scans, and these, bound to the members of `options`, which must
 /// outlive the list.
 void add_fields(FollowOptions& options, std::vector<OptionField>& fields);
-
-/// The options as a Follower takes them.
-[[nodiscard]] FollowOptions with_preset(FollowOptions options);
 
 }  // namespace quadcut

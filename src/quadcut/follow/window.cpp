@@ -62,6 +62,29 @@ Box cells_to_decide(const FollowedMap& followed, const Box& changed) {
     return decided.intersected(far);
 }
 
+void drop_uncrossed(const std::vector<Cell>& way, WindowCut& cut) {
+    if (way.empty()) return;
+    std::vector<bool> is_crossed(cut.num_regions + std::size_t{1}, false);
+    for (const KeptPart& part : cut.kept) is_crossed[part.region] = true;
+    for (const Cell cell : way) {
+        if (!cut.regions.contains(cell)) continue;
+        const std::uint32_t region = cut.regions.at(cell);
+        if (region != kNotCut) is_crossed[region] = true;
+    }
+    std::vector<std::uint32_t> numbers(is_crossed.size(), 0);
+    std::uint32_t count = 0;
+    for (std::uint32_t region = 1; region < numbers.size(); ++region) {
+        if (!is_crossed[region]) continue;
+        numbers[region] = ++count;
+        if (!cut.peak_m.empty()) cut.peak_m[count] = cut.peak_m[region];
+    }
+    for (std::uint32_t& region : cut.regions.values) {
+        if (region != kNotCut) region = numbers[region];
+    }
+    for (KeptPart& part : cut.kept) part.region = numbers[part.region];
+    cut.num_regions = count;
+}
+
 void fill_split_lines(const FollowedMap& followed, WindowCut& cut) {
     const auto cells = split_cells(followed, cut.regions.box());
     bool is_any = true;

@@ -76,6 +76,10 @@ struct WindowCut {
 /// known of them now may be more than when they were cut. Of a large room only what is near.
 [[nodiscard]] Box cells_to_decide(const FollowedMap& followed, const Box& changed);
 
+/// Regions that no cell of the robot's way lies in, and that do not go on in a room beyond the
+/// window, are none; the others are numbered anew. Nothing is done without a way.
+void drop_uncrossed(const std::vector<Cell>& way, WindowCut& cut);
+
 /// The cells of lines where people cut belong to the room beside them.
 void fill_split_lines(const FollowedMap& followed, WindowCut& cut);
 

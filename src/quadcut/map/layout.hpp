@@ -30,6 +30,14 @@ struct Layout {
         if (is_transposed) std::swap(cell.x, cell.y);
         return {box.low.x + cell.x, box.low.y + cell.y};
     }
+    /// Where such a cell goes.
+    [[nodiscard]] Cell place_of(Cell source) const {
+        Cell cell{source.x - box.low.x, source.y - box.low.y};
+        if (is_transposed) std::swap(cell.x, cell.y);
+        if (is_x_reversed) cell.x = width() - 1 - cell.x;
+        if (is_y_reversed) cell.y = height() - 1 - cell.y;
+        return cell;
+    }
     /// The same for a point; both in cells, the new cell (0, 0) covering [0, 1) x [0, 1).
     [[nodiscard]] Point source_point(Point point) const {
         if (is_x_reversed) point.x = width() - point.x;

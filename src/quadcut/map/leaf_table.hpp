@@ -126,7 +126,7 @@ struct FreeLeaves {
     std::vector<LeafId> nodes;
 };
 
-/// The leaves of a map's quadtree, whose lower left corner is that of the map. O(cells).
+/// The leaves of a map's quadtree, its blocks aligned to cell (0, 0). O(cells).
 [[nodiscard]] FreeLeaves free_leaves(const GridMap& map);
 
 /// Gives the cells of a leaf a label. @pre the leaf lies in the raster.

@@ -56,7 +56,8 @@ public:
     OccupancyMap(double resolution_m, const Pose& world_from_map, const Root& root);
 
     /// Free and occupied cells get the log-odds bounds. Cells keep their addresses; the root's
-    /// lower left is that of the raster, (0, 0) for a map from a file. O(cells).
+    /// lower left is a multiple of 1024, so that a part of a map has the blocks of the whole.
+    /// O(cells).
     [[nodiscard]] static OccupancyMap from_grid(const GridMap& grid);
     /// The bounding box of what is known, from cell (0, 0) on; its pose is moved accordingly.
     [[nodiscard]] GridMap to_grid() const;

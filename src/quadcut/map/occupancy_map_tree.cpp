@@ -43,9 +43,13 @@ void put_tile(const Tile& values, Cell tile, Raster<CellState>& states) {
     }
 }
 
-// The smallest root for a raster, its lower left moved down to the next tile.
+// Blocks of up to this side are the same whatever part of a map the raster holds.
+constexpr std::int32_t kLargestBlock = 1024;
+
+// The smallest root for a raster, its lower left moved down to the next such block.
 Root root_around(const Raster<CellState>& states) {
-    const Cell corner = first_cell_of(tile_of(states.origin));
+    const auto down = [](std::int32_t at) { return at - (at & (kLargestBlock - 1)); };
+    const Cell corner{down(states.origin.x), down(states.origin.y)};
     const std::int64_t extent = std::max(std::int64_t{states.width} + states.origin.x - corner.x,
                                          std::int64_t{states.height} + states.origin.y - corner.y);
     int level = kTileBits;

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "quadcut/paper/halves.hpp"
+
 namespace quadcut {
 namespace {
 
@@ -164,6 +166,16 @@ std::vector<std::uint32_t> nodes_of_large_components(const Graph& graph,
     return nodes;
 }
 
+/// Each connected component is a piece.
+Pieces whole_components(const Graph& graph) {
+    Pieces pieces;
+    pieces.piece_of_node = connected_components(graph);
+    for (const std::uint32_t piece : pieces.piece_of_node) {
+        pieces.count = std::max(pieces.count, piece + 1);
+    }
+    return pieces;
+}
+
 }  // namespace
 
 std::size_t longest_route_edges(const Graph& graph) {
@@ -232,16 +244,23 @@ Pieces divide_submaps(const Graph& graph, Pieces pieces, const PaperOptions& opt
         clock.begin("fuse");
         const Graph submap = induced_subgraph(graph, nodes);
         const double area_m2 = std::accumulate(submap.area_m2.begin(), submap.area_m2.end(), 0.0);
-        const bool too_large = area_m2 > options.max_submap_m2 ||
-                               longest_route_edges(submap) > options.max_route_edges;
-        Pieces parts;
-        if (too_large && nodes.size() > 2)
-            parts = cut_into(submap, 2, options, seed, clock, executor);
-        if (parts.count < 2) {
+        const bool is_too_large = area_m2 > options.max_submap_m2 ||
+                                  longest_route_edges(submap) > options.max_route_edges;
+        Halves halves = cut_in_half(submap, options, seed, clock, executor);
+        pieces.eigen.insert(pieces.eigen.end(), halves.pieces.eigen.begin(),
+                            halves.pieces.eigen.end());
+        const bool is_divided =
+            halves.pieces.count > 1 &&
+            (is_too_large || halves.relation_per_m < options.min_relation_per_m);
+        // Departs from the paper: fusing has the same threshold, so that whether two parts are one
+        // submap does not depend on whether they were cut together.
+        if (!is_divided) {
             for (const std::uint32_t node : nodes) pieces.piece_of_node[node] = pieces.count;
             ++pieces.count;
             continue;
         }
+        clock.begin("fuse");
+        const Pieces parts = fuse_submaps_to(submap, std::move(halves.pieces), 2);
         std::vector<std::vector<std::uint32_t>> divided(parts.count);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             divided[parts.piece_of_node[i]].push_back(nodes[i]);
@@ -268,7 +287,9 @@ Submaps find_submaps(const Graph& graph, const PaperOptions& options, std::uint6
     if (options.num_submaps != 0) {
         pieces = cut_into(region, options.num_submaps, options, seed, clock, executor);
     } else {
-        pieces = cut(region, options, seed, clock, executor);
+        pieces = options.first_cut == FirstCut::halves
+                     ? whole_components(region)
+                     : cut(region, options, seed, clock, executor);
         pieces = divide_submaps(region, std::move(pieces), options, seed, clock, executor);
         clock.begin("fuse");
         pieces = fuse_submaps(region, std::move(pieces), options);

@@ -17,8 +17,9 @@ namespace quadcut {
 /// more than the true value, and in the free space of buildings seldom an edge less. O(edges).
 [[nodiscard]] std::size_t longest_route_edges(const Graph& graph);
 
-/// Divides submaps that are too large or too long, by the same cut into two. Parts that a cut can
-/// no more divide stay. O(log(pieces)) cuts of each submap.
+/// Divides submaps that are too large or too long, or whose halves (cut_in_half()) are related by
+/// less than min_relation_per_m. Parts that a cut can no more divide stay. O(log(pieces)) cuts of
+/// each submap.
 [[nodiscard]] Pieces divide_submaps(const Graph& graph, Pieces pieces, const PaperOptions& options,
                                     std::uint64_t seed, StageClock& clock,
                                     const Executor& executor = {});
@@ -47,7 +48,9 @@ struct Submaps {
 };
 
 /// The paper's method on a region's graph: small connected components are eliminated, the rest is
-/// cut, the submaps divided and fused. A number that is given is cut to.
+/// cut, the submaps divided and fused, by rules that look at the submaps alone: a region and a part
+/// of it get the same borders but where these are a matter of balance. A number that is given is
+/// cut to.
 /// Throws NumericalError if the eigensolver fails its own checks.
 [[nodiscard]] Submaps find_submaps(const Graph& graph, const PaperOptions& options,
                                    std::uint64_t seed, StageClock& clock, const Executor& executor);

@@ -51,6 +51,18 @@ std::vector<Cell> visited_cells(const GridMap& map, std::span<const Point> traje
     return cells;
 }
 
+void drop_uncrossed(Raster<std::uint32_t>& labels, std::span<const Cell> way) {
+    if (way.empty() || labels.values.empty()) return;
+    const std::uint32_t last = *std::max_element(labels.values.begin(), labels.values.end());
+    std::vector<bool> is_crossed(last + std::size_t{1}, false);
+    for (const Cell cell : way) {
+        if (labels.contains(cell)) is_crossed[labels.at(cell)] = true;
+    }
+    for (std::uint32_t& label : labels.values) {
+        if (!is_crossed[label]) label = 0;
+    }
+}
+
 std::uint32_t find_outside(const ConnectedParts& free, std::size_t min_cells) {
     const auto width = static_cast<std::size_t>(free.width);
     const std::size_t height = free.row_begin.size() - 1;

@@ -23,6 +23,9 @@ namespace quadcut {
 [[nodiscard]] std::vector<Cell> visited_cells(const GridMap& map,
                                               std::span<const Point> trajectory);
 
+/// Labels that none of the cells has become 0; nothing is done without cells.
+void drop_uncrossed(Raster<std::uint32_t>& labels, std::span<const Cell> way);
+
 /// The part that covers more than half of the raster's border, if there is one and the others
 /// together have at least a twentieth of its cells: the ground around a building. Otherwise it is
 /// the building itself, in a map with leaky walls or a tight frame, and the answer is 0. Parts of

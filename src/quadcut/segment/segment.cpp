@@ -3,6 +3,7 @@
 #include "quadcut/segment/segment.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -75,6 +77,9 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     clock.begin("inside");
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
+    std::vector<Cell> way;
+    if (drops_uncrossed(options)) way = visited_cells(map, trajectory);
+    for (Cell& cell : way) cell = floor.layout.place_of(cell);
     RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
                                   options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
@@ -84,53 +89,62 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
         put_back(result.hierarchy.finest, floor.layout, finest, executor);
         result.hierarchy.finest = std::move(finest);
     }
+    drop_uncrossed(cut.rooms, way);
     complete(std::move(cut.rooms), std::move(cut.clearance_m), map, floor.layout, clock, executor,
              result);
     return result;
 }
 
-/// Inside and outside: a submap that the trajectory does not cross is no part of the map.
-Raster<std::uint32_t> paint_submaps(const GridMap& map, const FreeLeaves& leaves,
-                                    std::span<const std::uint32_t> nodes, const Pieces& pieces,
-                                    std::span<const Point> trajectory) {
-    Raster<std::uint32_t> labels(map.states.origin, map.states.width, map.states.height);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Leaf& leaf = leaves.table.leaf(leaves.nodes[nodes[i]]);
-        paint_leaf(leaf, pieces.piece_of_node[i] + 1, labels);
+/// The map on the cells of its frame: a place has the same quadtree wherever its image begins.
+GridMap on_cells_of_frame(const GridMap& map) {
+    GridMap placed = map;
+    const auto cell = [&](double at_m) {
+        return static_cast<std::int32_t>(std::llround(at_m / map.resolution_m));
+    };
+    placed.states.origin = {cell(map.map_from_image.x), cell(map.map_from_image.y)};
+    return placed;
+}
+
+Raster<std::uint32_t> paint_submaps(const Box& box, const FreeLeaves& leaves,
+                                    const Submaps& submaps) {
+    Raster<std::uint32_t> labels(box);
+    for (std::size_t i = 0; i < submaps.nodes.size(); ++i) {
+        const Leaf& leaf = leaves.table.leaf(leaves.nodes[submaps.nodes[i]]);
+        paint_leaf(leaf, submaps.pieces.piece_of_node[i] + 1, labels);
     }
-    if (trajectory.empty()) return labels;
-    std::vector<bool> is_crossed(pieces.count + 1, false);
-    for (const Cell cell : visited_cells(map, trajectory)) is_crossed[labels.at(cell)] = true;
-    for (std::uint32_t& label : labels.values) {
-        if (!is_crossed[label]) label = 0;
-    }
+    labels.origin = {0, 0};
     return labels;
 }
 
-Segmentation segment_paper(const GridMap& map, const PaperOptions& options, std::uint64_t seed,
+Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options,
                            std::span<const Point> trajectory, StageClock& clock,
                            const Executor& executor) {
+    const PaperOptions& options = all_options.paper;
     Segmentation result;
     // Algorithm 1: the quadtree. Undetected area makes no nodes.
     clock.begin("map");
-    const FreeLeaves leaves = free_leaves(map);
+    const GridMap placed = on_cells_of_frame(map);
+    const FreeLeaves leaves = free_leaves(placed);
     // Algorithm 2, eqs. (2) and (3): the graph of leaves that see each other.
     clock.begin("graph");
     const Graph graph = build_graph(
         sight_edges(leaves.table, leaves.nodes, map.resolution_m, options.self_loops, executor),
         leaf_areas_m2(leaves.table, leaves.nodes, map.resolution_m));
     // Eqs. (4) to (9): the smallest eigenvectors, clustered; division and fusion between submaps.
-    const Submaps submaps = find_submaps(graph, options, seed, clock, executor);
+    const Submaps submaps = find_submaps(graph, options, all_options.seed, clock, executor);
     result.report.eigen = submaps.pieces.eigen;
-    Raster<std::uint32_t> labels =
-        paint_submaps(map, leaves, submaps.nodes, submaps.pieces, trajectory);
+    Raster<std::uint32_t> labels = paint_submaps(placed.states.box(), leaves, submaps);
+    // Leaves that see each other through a slit need not touch.
+    connect_regions(labels, {}, executor);
+    // Inside and outside: a submap that the trajectory does not cross is no part of the map.
+    if (drops_uncrossed(all_options)) drop_uncrossed(labels, visited_cells(map, trajectory));
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = num_edges(graph);
     clock.begin("clearance");
     Raster<float> clearance =
         clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);
-    clearance.origin = labels.origin = {0, 0};
+    clearance.origin = {0, 0};
     complete(std::move(labels), std::move(clearance), map, as_it_lies(map.states.box()), clock,
              executor, result);
     return result;
@@ -142,10 +156,9 @@ Segmentation segment(const GridMap& map, const SegmentOptions& options, const Ru
                      std::span<const Point> trajectory) {
     StageClock clock(run.on_stage);
     const Executor executor = run.executor();
-    Segmentation result =
-        options.preset == Preset::rooms
-            ? segment_rooms(map, options, trajectory, clock, executor)
-            : segment_paper(map, options.paper, options.seed, trajectory, clock, executor);
+    Segmentation result = options.preset == Preset::rooms
+                              ? segment_rooms(map, options, trajectory, clock, executor)
+                              : segment_paper(map, options, trajectory, clock, executor);
     result.report.stages_ms = clock.finish();
     return result;
 }

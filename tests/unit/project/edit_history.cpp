@@ -172,7 +172,7 @@ TEST(EditHistory, AProjectOfVersion1IsReadAndBecomesOneOfThisWhenItIsSaved) {
     static_cast<void>(Project::open(path, Access::write));
     EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 1) << "not saved";
     rename(path, 2, "Store");
-    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 3);
+    EXPECT_EQ(Database(path, Access::read).pragma("user_version"), 4);
     EXPECT_EQ(Project::open(path, Access::read).options().min_change_m2, 2.5);
     EXPECT_THAT(states(path), ElementsAre(EditState::fixed, EditState::done));
     undo(path);

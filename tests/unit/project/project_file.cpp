@@ -54,8 +54,8 @@ TEST(ProjectFile, WhatIsNoProjectIsRefused) {
     EXPECT_EQ(open(path), "no error");
     Database(path, Access::write).run("CREATE TABLE extra(x)");
     EXPECT_THAT(open(path), HasSubstr("its tables are not"));
-    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=4");
-    EXPECT_THAT(open(path), HasSubstr("format version 4: expected 1 to 3; a newer quadcut"));
+    Database(path, Access::write).run("DROP TABLE extra; PRAGMA user_version=5");
+    EXPECT_THAT(open(path), HasSubstr("format version 5: expected 1 to 4; a newer quadcut"));
 }
 
 TEST(ProjectFile, RowsThatCannotBeAreRefused) {
