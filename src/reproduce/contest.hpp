@@ -36,7 +36,7 @@ struct Contest {
     Contender voronoi;
 };
 
-/// `num_submaps`: what the preset `paper` is told; 0: it chooses by silhouette, and only what the
+/// `num_submaps`: what the preset `paper` is told; 0: it finds it, and only what the
 /// robot's way crosses counts.
 [[nodiscard]] Contest hold_contest(const World& world, std::size_t num_submaps, const Setup& setup);
 

@@ -26,11 +26,17 @@ struct Setup {
         options.seed = seed;
         return options;
     }
-    /// num_submaps 0: by silhouette.
+    /// num_submaps 0: as the preset finds it.
     [[nodiscard]] SegmentOptions paper(std::size_t num_submaps) const {
         SegmentOptions options = rooms();
         options.preset = Preset::paper;
         options.paper.num_submaps = num_submaps;
+        return options;
+    }
+    /// The number of submaps as the paper finds it, whatever the preset does.
+    [[nodiscard]] SegmentOptions paper_by_silhouette() const {
+        SegmentOptions options = paper(0);
+        options.paper.first_cut = FirstCut::silhouette;
         return options;
     }
 };

@@ -123,7 +123,7 @@ IntelResult figure_18(const Worlds& worlds, const FollowedTwice& intel, const Se
     figure.setting =
         "The whole map on cells of 5 cm, " +
         in_words(static_cast<double>(contest.paper.num_units)) +
-        " free leaves: graph, eigenvectors, clustering by silhouette, division and fusion. "
+        " free leaves: graph, eigenvectors, submaps, their division and fusion. "
         "Local: " +
         nodes + " nodes around " + std::to_string(kNumPlaces) +
         " places on the robot's way on cells of 20 cm, each its graph and all steps after it; and "

@@ -76,7 +76,7 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
     const Segmentation chosen =
         as_submaps(segment(map, setup.paper(0), setup.run, world.trajectory));
     const Segmentation told = segment(map, setup.paper(kPaperInnerSubmaps), setup.run);
-    const Segmentation open = as_submaps(segment(open_map, setup.paper(0), setup.run));
+    const Segmentation open = as_submaps(segment(open_map, setup.paper_by_silhouette(), setup.run));
     const Segmentation rooms = segment(map, setup.rooms(), setup.run, world.trajectory);
     // The paper speaks of the main area: what is made of the outside is no part of its claim.
     World main_area = world;
@@ -103,14 +103,14 @@ Figure figure_11(const Worlds& worlds, const Setup& setup) {
                       "The graph G: " + in_words(static_cast<double>(graph.leaves.nodes.size())) +
                           " free leaves"),
         plan_picture("fig11_paper.png", open_map, open,
-                     "(d) Submaps, preset paper, two states: the outside is divided, too"),
+                     "(d) Submaps, two states, number by silhouette: the outside is divided, too"),
         plan_picture("fig11_unknown.png", map, chosen,
-                     "Preset paper, three states: only what was seen is free"),
+                     "Preset paper as it is: three states, only what was seen is free"),
         plan_picture("fig11_rooms.png", map, rooms, "Preset rooms")};
     figure.tables = {
         {"",
-         {"the paper", "preset paper, two states", "three states", "three states, told five",
-          "preset rooms"},
+         {"the paper", "preset paper, two states, silhouette", "preset paper",
+          "preset paper, told five", "preset rooms"},
          {{"inner submaps",
            "",
            {number(kPaperInnerSubmaps), number(num_inside), number(chosen.rooms.size()),
