@@ -18,7 +18,6 @@
 namespace quadcut::draw {
 namespace {
 
-constexpr std::size_t kPerRow = 4;
 constexpr double kPageWidth = 2400.0;
 constexpr double kGap = 24.0;
 constexpr double kCaption = 44.0;
@@ -88,15 +87,16 @@ void draw_moment(Canvas& canvas, const Moment& moment, const Panel& panel,
 
 }  // namespace
 
-std::string render_filmstrip(std::span<const Moment> moments) {
+std::string render_filmstrip(std::span<const Moment> moments, std::size_t per_row) {
     const Typeface typeface;
     const Frame frame = frame_of(moments);
-    const double width = (kPageWidth - (kPerRow + 1) * kGap) / kPerRow;
+    const auto num_columns = static_cast<double>(per_row);
+    const double width = (kPageWidth - (num_columns + 1.0) * kGap) / num_columns;
     // A tall map is drawn smaller, so that the page stays a page.
     const double pixels_per_m = std::min(width / std::max(frame.high.x - frame.low.x, 0.1),
                                          1.5 * width / std::max(frame.high.y - frame.low.y, 0.1));
     const double height = (frame.high.y - frame.low.y) * pixels_per_m;
-    const std::size_t num_rows = (moments.size() + kPerRow - 1) / kPerRow;
+    const std::size_t num_rows = (moments.size() + per_row - 1) / per_row;
     Canvas canvas(static_cast<std::int32_t>(kPageWidth),
                   static_cast<std::int32_t>(
                       std::ceil(static_cast<double>(num_rows) * (height + kCaption + kGap) + kGap)),
@@ -104,8 +104,8 @@ std::string render_filmstrip(std::span<const Moment> moments) {
     std::map<RoomId, io::Rgb> colors_of_rooms;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const Moment& moment = moments[i];
-        const std::size_t row = i / kPerRow;
-        const Point corner{kGap + static_cast<double>(i % kPerRow) * (width + kGap),
+        const std::size_t row = i / per_row;
+        const Point corner{kGap + static_cast<double>(i % per_row) * (width + kGap),
                            kGap + static_cast<double>(row) * (height + kCaption + kGap)};
         const std::vector<io::Rgb> colors = io::room_colors(
             moment.rooms, io::find_near_rooms(moment.map, moment.rooms), colors_of_rooms);

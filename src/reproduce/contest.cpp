@@ -99,10 +99,11 @@ Table table_of(const Contest& contest, const Value& paper_ms, const Value& paper
         [](const Contender& c) { return number(c.quality.cut_percent, 2); });
     row("largest region over the mean", "", words("balanced"),
         [](const Contender& c) { return number(c.quality.imbalance, 2); });
+    row("border across open floor", "%", none(),
+        [](const Contender& c) { return number(c.quality.open_border_percent, 1); });
     if (contest.paper.quality.pq_percent) {
-        row("PQ against the true rooms", "%", none(), [](const Contender& c) {
-            return c.quality.pq_percent ? number(*c.quality.pq_percent, 1) : none();
-        });
+        row("PQ against the true rooms", "%", none(),
+            [](const Contender& c) { return number(c.quality.pq_percent, 1); });
     }
     return table;
 }
@@ -113,10 +114,13 @@ std::vector<Picture> pictures_of(const Contest& contest, const World& world,
         return plan_picture(name + "_" + method + ".png", world.map, contender.rooms,
                             caption(words, contender));
     };
-    return {picture("paper", "Preset paper", contest.paper),
-            picture("rooms", "Preset rooms", contest.rooms),
-            picture("kmeans", "k-means of positions, no graph", contest.positions),
-            picture("voronoi", "Voronoi graph, cut where it is narrowest", contest.voronoi)};
+    std::vector<Picture> pictures{
+        picture("paper", "Preset paper", contest.paper),
+        picture("rooms", "Preset rooms", contest.rooms),
+        picture("kmeans", "k-means of positions, no graph", contest.positions),
+        picture("voronoi", "Voronoi graph, cut where it is narrowest", contest.voronoi)};
+    pictures.front().span = Span::full;
+    return pictures;
 }
 
 }  // namespace quadcut::reproduce

@@ -36,7 +36,7 @@ struct Contest {
     Contender voronoi;
 };
 
-/// `num_submaps`: what the preset `paper` is told; 0: it chooses by silhouette, and only what the
+/// `num_submaps`: what the preset `paper` is told; 0: it finds it, and only what the
 /// robot's way crosses counts.
 [[nodiscard]] Contest hold_contest(const World& world, std::size_t num_submaps, const Setup& setup);
 
@@ -44,7 +44,7 @@ struct Contest {
 [[nodiscard]] Table table_of(const Contest& contest, const Value& paper_ms,
                              const Value& paper_regions);
 
-/// Pictures of all four, NAME_paper.png and so on.
+/// Pictures of all four, NAME_paper.png and so on; the first as wide as the page.
 [[nodiscard]] std::vector<Picture> pictures_of(const Contest& contest, const World& world,
                                                const std::string& name);
 

@@ -26,21 +26,20 @@ struct Setup {
         options.seed = seed;
         return options;
     }
-    /// num_submaps 0: by silhouette.
+    /// num_submaps 0: as the preset finds it.
     [[nodiscard]] SegmentOptions paper(std::size_t num_submaps) const {
         SegmentOptions options = rooms();
         options.preset = Preset::paper;
         options.paper.num_submaps = num_submaps;
         return options;
     }
+    /// The number of submaps as the paper finds it, whatever the preset does.
+    [[nodiscard]] SegmentOptions paper_by_silhouette() const {
+        SegmentOptions options = paper(0);
+        options.paper.first_cut = FirstCut::silhouette;
+        return options;
+    }
 };
-
-/// Cells of the workplace's maps, metres: it then has about as many nodes as the paper's.
-inline constexpr double kWorkplaceResolutionM = 0.1;
-/// Cells when the laboratory is followed in the preset `paper`.
-inline constexpr double kLaboratoryResolutionM = 0.1;
-/// From this panoptic quality on, percent, two divisions are called alike.
-inline constexpr double kAlikePercent = 75.0;
 
 struct Worlds {
     World workplace;
@@ -55,6 +54,14 @@ struct FollowedTwice {
     Followed rooms;
 };
 
+/// All worlds, followed.
+struct FollowedWorlds {
+    FollowedTwice workplace;
+    FollowedTwice mit_csail;
+    FollowedTwice intel;
+    FollowedTwice laboratory;
+};
+
 // Each the counterpart of the figures in its name. Times are wall times.
 
 /// Construction, nodes and look-ups: quadtree against occupancy grid.
@@ -65,14 +72,12 @@ struct FollowedTwice {
 [[nodiscard]] Figure figure_7(const Worlds& worlds, const Setup& setup);
 /// The pipeline on the workplace.
 [[nodiscard]] Figure figure_11(const Worlds& worlds, const Setup& setup);
-/// The same, incrementally.
-[[nodiscard]] Figure figure_12(const Worlds& worlds, const FollowedTwice& workplace,
-                               const Setup& setup);
+/// The same and the other worlds, incrementally.
+[[nodiscard]] Figure figure_12(const Worlds& worlds, const FollowedWorlds& followed);
 /// ps over time.
 [[nodiscard]] Figure figure_13(const Worlds& worlds);
-/// Size of the matrix over time.
-[[nodiscard]] Figure figure_14(const Worlds& worlds, const FollowedTwice& workplace,
-                               const FollowedTwice& intel);
+/// Size of the matrix and time over scans.
+[[nodiscard]] Figure figure_14(const Worlds& worlds, const FollowedWorlds& followed);
 /// MIT-CSAIL with k = 10.
 [[nodiscard]] Figure figures_15_to_17(const Worlds& worlds, const Setup& setup);
 

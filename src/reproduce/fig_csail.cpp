@@ -7,6 +7,7 @@
 
 #include "reproduce/contest.hpp"
 #include "reproduce/experiments.hpp"
+#include "reproduce/judge.hpp"
 #include "reproduce/map_picture.hpp"
 #include "reproduce/partition.hpp"
 #include "reproduce/sentence.hpp"
@@ -15,7 +16,6 @@ namespace quadcut::reproduce {
 namespace {
 
 constexpr std::size_t kNumSubmaps = 10;
-constexpr double kBalanced = 3.0;
 
 /// The paper's red lines: between the middles of submaps that an edge joins.
 std::vector<std::pair<Point, Point>> links_of(const Contest& contest) {
@@ -26,6 +26,22 @@ std::vector<std::pair<Point, Point>> links_of(const Contest& contest) {
         links.emplace_back(middles[a - 1], middles[b - 1]);
     }
     return links;
+}
+
+SubmapNumbers numbers_of(const Contest& contest, std::size_t num_told) {
+    const Quality& paper = contest.paper.quality;
+    const Quality& positions = contest.positions.quality;
+    const auto count = [](std::size_t number) { return static_cast<double>(number); };
+    SubmapNumbers numbers;
+    numbers.num_told = num_told;
+    numbers.num_made = count(paper.num_regions);
+    numbers.coupling_percent = {paper.coupling_percent, positions.coupling_percent};
+    numbers.cut_percent = {paper.cut_percent, positions.cut_percent};
+    numbers.num_broken = {count(paper.num_broken), count(positions.num_broken)};
+    numbers.elapsed_ms = {contest.paper.elapsed_ms, contest.positions.elapsed_ms};
+    numbers.imbalance = {paper.imbalance, contest.voronoi.quality.imbalance};
+    numbers.num_units = {count(contest.paper.num_units), count(contest.voronoi.num_units)};
+    return numbers;
 }
 
 }  // namespace
@@ -57,37 +73,13 @@ Figure figures_15_to_17(const Worlds& worlds, const Setup& setup) {
     std::vector<Picture> results = pictures_of(contest, world, "fig17");
     results[0] = plan_picture("fig17_paper.png", world.map, contest.paper.rooms,
                               "Fig 17: " + results[0].caption, links);
+    results[0].span = Span::full;
     for (Picture& picture : results) figure.pictures.push_back(std::move(picture));
     figure.tables = {table_of(contest, none(), number(kNumSubmaps))};
     figure.tables[0].rows.push_back({"pairs of submaps with an edge",
                                      "",
                                      {none(), number(links.size()), none(), none(), none()}});
-    const Quality& paper = contest.paper.quality;
-    const Quality& positions = contest.positions.quality;
-    figure.claims = {
-        {paper.num_regions == count, "told " + std::to_string(count) + ", the preset paper makes " +
-                                         std::to_string(paper.num_regions) + " submaps"},
-        {paper.coupling_percent < positions.coupling_percent &&
-             paper.cut_percent < positions.cut_percent,
-         "a mean of " + in_words(paper.coupling_percent) +
-             " % of a submap's edge weight leads to others, " + in_words(paper.cut_percent) +
-             " % of all; of the clusters of k-means without a graph " +
-             in_words(positions.coupling_percent) + " and " + in_words(positions.cut_percent) +
-             " %"},
-        {paper.imbalance <= kBalanced,
-         "its largest submap has " + in_words(paper.imbalance) + " times the mean area"},
-        {positions.num_broken > paper.num_broken,
-         std::to_string(positions.num_broken) +
-             " of the clusters of k-means lie on both sides of a wall, " +
-             std::to_string(paper.num_broken) + " of the submaps of the preset paper"},
-        {contest.positions.elapsed_ms < contest.paper.elapsed_ms,
-         "k-means without a graph is " +
-             speed_against(contest.positions.elapsed_ms, contest.paper.elapsed_ms) +
-             " the preset paper"},
-        {contest.voronoi.num_units < contest.paper.num_units,
-         "the Voronoi graph has " + in_words(static_cast<double>(contest.voronoi.num_units)) +
-             " cells, the quadtree " + in_words(static_cast<double>(contest.paper.num_units)) +
-             " free leaves"}};
+    figure.claims = judge(numbers_of(contest, count));
     return figure;
 }
 

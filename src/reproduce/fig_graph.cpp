@@ -11,6 +11,7 @@
 #include "quadcut/paper/line_of_sight.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/graph_storage.hpp"
+#include "reproduce/judge.hpp"
 #include "reproduce/machine.hpp"
 #include "reproduce/map_graph.hpp"
 #include "reproduce/map_picture.hpp"
@@ -21,8 +22,6 @@
 namespace quadcut::reproduce {
 namespace {
 
-constexpr double kPaperNodes = 795.0;
-constexpr double kPaperEntries = 59462.0;
 /// Pairs of all nodes are tested one by one up to here.
 constexpr std::size_t kMaxDenseNodes = 3000;
 
@@ -55,26 +54,30 @@ Entries entries_of(const Graph& graph) {
     return entries;
 }
 
+double percent_of_entries(const Graph& graph) {
+    const auto nodes = static_cast<double>(graph.num_nodes());
+    return 100.0 * static_cast<double>(graph.columns.size()) / (nodes * nodes);
+}
+
 Value percent_of_dense(double bytes, const Graph& graph) {
     return number(100.0 * bytes / static_cast<double>(dense_bytes(graph)), 2);
 }
 
 Row row_of(const std::string& name, const Graph& graph) {
-    const auto entries = static_cast<double>(graph.columns.size());
-    const auto nodes = static_cast<double>(graph.num_nodes());
     return {
         name,
         "",
         {number(graph.num_nodes()), number(graph.columns.size()),
-         number(100.0 * entries / (nodes * nodes), 3), number(dense_bytes(graph)),
-         number(csr_bytes(graph)), percent_of_dense(static_cast<double>(csr_bytes(graph)), graph),
-         number(dia_bytes(graph)), percent_of_dense(static_cast<double>(dia_bytes(graph)), graph)}};
+         number(percent_of_entries(graph), 3), number(dense_bytes(graph)), number(csr_bytes(graph)),
+         percent_of_dense(static_cast<double>(csr_bytes(graph)), graph), number(dia_bytes(graph)),
+         percent_of_dense(static_cast<double>(dia_bytes(graph)), graph)}};
 }
 
 }  // namespace
 
 Figure figure_6(const Worlds& worlds, const Setup& setup) {
-    const GridMap coarse = map_from_scans(worlds.workplace.scans, kWorkplaceResolutionM).to_grid();
+    const GridMap coarse =
+        map_from_scans(worlds.workplace.scans, worlds.workplace.paper_cell_m).to_grid();
     const MapGraph small = graph_of(coarse, SelfLoops::own_weight, setup.executor());
     const Graph& graph = small.graph;
     Figure figure;
@@ -85,19 +88,19 @@ Figure figure_6(const Worlds& worlds, const Setup& setup) {
         "diagonals, 0.47 % of the dense matrix's memory.";
     figure.setting =
         "The graph G of three maps: leaves that see each other within the threshold of eq. (3), "
-        "with loops. The workplace on cells of 10 cm, where it has about as many nodes as in the "
+        "with loops. The workplace on coarser cells, where it has about as many nodes as in the "
         "paper, the others on cells of 5 cm. Eight bytes a weight; CSR is what quadcut stores, DIA "
         "(by diagonals) what the paper proposes.";
-    figure.tables.push_back(
-        {"",
-         {"nodes", "entries", "entries, %", "dense, bytes", "CSR, bytes", "CSR, % of dense",
-          "DIA, bytes", "DIA, % of dense"},
-         {{"the paper, workplace",
-           "",
-           {number(kPaperNodes), number(kPaperEntries),
-            number(100.0 * kPaperEntries / (kPaperNodes * kPaperNodes), 3),
-            number(8.0 * kPaperNodes * kPaperNodes), none(), none(), none(), number(0.47, 2)}},
-          row_of(worlds.workplace.name, graph)}});
+    figure.tables.push_back({"",
+                             {"nodes", "entries", "entries, %", "dense, bytes", "CSR, bytes",
+                              "CSR, % of dense", "DIA, bytes", "DIA, % of dense"},
+                             {{"the paper, workplace",
+                               "",
+                               {number(kPaperNodes), number(kPaperEntries),
+                                number(100.0 * kPaperEntries / (kPaperNodes * kPaperNodes), 3),
+                                number(8.0 * kPaperNodes * kPaperNodes), none(), none(), none(),
+                                number(kPaperDiaPercent, 2)}},
+                              row_of(worlds.workplace.name, graph)}});
     for (const World* world : {&worlds.mit_csail, &worlds.intel}) {
         figure.tables.back().rows.push_back(row_of(
             world->name, graph_of(world->map, SelfLoops::own_weight, setup.executor()).graph));
@@ -117,13 +120,7 @@ Figure figure_6(const Worlds& worlds, const Setup& setup) {
         100.0 * static_cast<double>(csr_bytes(graph)) / static_cast<double>(dense_bytes(graph));
     const double dia =
         100.0 * static_cast<double>(dia_bytes(graph)) / static_cast<double>(dense_bytes(graph));
-    const double printed = 100.0 * kPaperEntries / (kPaperNodes * kPaperNodes);
-    figure.claims = {
-        {csr < 10.0, "the sparse matrix of the workplace takes " + in_words(csr) +
-                         " % of the dense one's memory as CSR"},
-        {dia < 1.0, "stored by diagonals as the paper proposes it takes " + in_words(dia) +
-                        " % (the paper: 0.47 %, though its 59,462 entries alone are " +
-                        in_words(printed) + " % of 795 x 795)"}};
+    figure.claims = judge(MatrixNumbers{percent_of_entries(graph), csr, dia});
     return figure;
 }
 
@@ -173,15 +170,8 @@ Figure figure_7(const Worlds& worlds, const Setup& setup) {
                      "time over them. The least of several runs in turn.";
     figure.pictures = {{"fig7.svg", to_svg(plot), "Wall time of the edge stage"}};
     figure.tables = {table};
-    const double speedup = times_ms[0] / times_ms[best - 1];
-    const double last = times_ms.back() / times_ms[best - 1];
-    const std::string cores = std::to_string(num_cores) + (num_cores == 1 ? " core" : " cores");
-    figure.claims = {
-        {speedup > 1.2, best == 1 ? "on " + cores + " no number of threads is faster than one"
-                                  : std::to_string(best) + " threads on " + cores + " are " +
-                                        in_words(speedup) + " times as fast as one"},
-        {last > 1.0, std::to_string(most) + " threads take " + in_words(last) +
-                         " times the time of the best number"}};
+    figure.claims = judge(ThreadNumbers{num_cores, times_ms[0] / times_ms[best - 1],
+                                        times_ms.back() / times_ms[best - 1]});
     return figure;
 }
 

@@ -11,6 +11,7 @@
 #include "quadcut/map/occupancy_map.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/flat_grid.hpp"
+#include "reproduce/judge.hpp"
 #include "reproduce/plot.hpp"
 #include "reproduce/pointer_quadtree.hpp"
 #include "reproduce/sentence.hpp"
@@ -135,32 +136,14 @@ Shares shares_by_resolution(const World& world, const Setup& setup) {
     return shares;
 }
 
-double worst(const std::vector<Costs>& costs, double Cost::*member) {
-    double ratio = 0.0;
-    for (const Costs& one : costs) {
-        ratio = std::max(ratio, one.quadtree.*member / one.grid.*member);
+ByWorld over_grid(const std::vector<const World*>& worlds, const std::vector<Costs>& costs,
+                  double Cost::*member, double factor) {
+    ByWorld ratios;
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        ratios.push_back(
+            {worlds[i]->name, factor * costs[i].quadtree.*member / costs[i].grid.*member});
     }
-    return ratio;
-}
-
-double mean_ratio(const std::vector<Costs>& costs, double Cost::*member) {
-    double sum = 0.0;
-    for (const Costs& one : costs) sum += one.quadtree.*member / one.grid.*member;
-    return sum / static_cast<double>(costs.size());
-}
-
-std::vector<Claim> judge(const std::vector<Costs>& costs, const Shares& shares) {
-    const double build = mean_ratio(costs, &Cost::build_ms);
-    const double nodes = worst(costs, &Cost::nodes);
-    const double look = mean_ratio(costs, &Cost::lookups_ms);
-    const double finest = shares.percent.back();
-    const double coarsest = shares.percent.front();
-    return {{build < 1.0, "the quadtree is built in " + in_words(build) + " times the grid's time"},
-            {nodes < 1.0, "it has at most " + in_words(100.0 * nodes) +
-                              " % as many nodes as the grid has cells"},
-            {look < 1.0, "a look-up takes " + in_words(look) + " times as long as in the grid"},
-            {finest < coarsest, "from coarse to fine its nodes go from " + in_words(coarsest) +
-                                    " % to " + in_words(finest) + " % of the cells"}};
+    return ratios;
 }
 
 }  // namespace
@@ -197,7 +180,10 @@ Figure figure_4(const Worlds& worlds, const Setup& setup) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         figure.tables.push_back(table_of(all[i]->name, costs[i]));
     }
-    figure.claims = judge(costs, shares);
+    figure.claims = judge(StorageNumbers{over_grid(all, costs, &Cost::build_ms, 1.0),
+                                         over_grid(all, costs, &Cost::nodes, 100.0),
+                                         over_grid(all, costs, &Cost::lookups_ms, 1.0),
+                                         shares.percent.back() / shares.percent.front()});
     return figure;
 }
 

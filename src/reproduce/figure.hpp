@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "reproduce/claim.hpp"
 
 namespace quadcut::reproduce {
 
@@ -20,6 +23,9 @@ struct Value {
 [[nodiscard]] inline Value number(std::size_t value) { return {static_cast<double>(value), 0, {}}; }
 [[nodiscard]] inline Value words(std::string text) { return {std::nullopt, 0, std::move(text)}; }
 [[nodiscard]] inline Value none() { return {}; }
+[[nodiscard]] inline Value number(const std::optional<double>& value, int decimals) {
+    return value ? number(*value, decimals) : none();
+}
 
 /// One quantity in each column; a unit that ends in ms marks what differs from run to run.
 struct Row {
@@ -35,17 +41,15 @@ struct Table {
     std::vector<Row> rows;
 };
 
+/// How much of the page's width a picture takes: half is for two beside each other.
+enum class Span : std::uint8_t { half, full };
+
 /// A file of the page: .svg or .png.
 struct Picture {
     std::string file;
     std::string bytes;
     std::string caption;
-};
-
-/// Whether a claim of the paper is met, in words with the measured numbers in them.
-struct Claim {
-    bool holds = false;
-    std::string text;
+    Span span = Span::half;
 };
 
 /// The counterpart of one or several figures of the paper.

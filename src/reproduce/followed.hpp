@@ -11,21 +11,22 @@
 
 namespace quadcut::reproduce {
 
-/// Following in the preset `paper` is done on cells of this side, metres: graphs are then as large
-/// as those that the paper speaks of, some hundred nodes.
-inline constexpr double kPaperFollowResolutionM = 0.2;
-
-/// What following a world's scans gave.
+/// What following a world's scans gave, and what cutting its map anew gives: the paper's
+/// incremental and basic algorithms.
 struct Followed {
     std::vector<FollowUpdate> updates;
     /// Over scans: the free leaves of the whole map, the size of the basic algorithm's matrix.
-    std::vector<Point> whole_nodes;
-    /// Over scans: the size of the matrix that an update cut.
-    std::vector<Point> local_nodes;
-    /// The wall time of each cut, milliseconds, in order of their scans.
-    std::vector<double> cuts_ms;
+    std::vector<Point> whole_leaves;
+    /// Over scans: the nodes that an update cut, and its wall time in milliseconds.
+    std::vector<Point> cut_nodes;
+    std::vector<Point> cut_ms;
     /// At equal numbers of scans; the last is the end.
     std::vector<draw::Moment> moments;
+    /// At each moment, over scans: the same map cut anew, its nodes and its time.
+    std::vector<Point> basic_nodes;
+    std::vector<Point> basic_ms;
+    /// The last of them.
+    Segmentation at_once;
 
     [[nodiscard]] const GridMap& map() const { return moments.back().map; }
     [[nodiscard]] const Segmentation& rooms() const { return moments.back().rooms; }
@@ -35,6 +36,14 @@ struct Followed {
 [[nodiscard]] Followed follow(const World& world, const SegmentOptions& options,
                               const RunOptions& run, double resolution_m, std::size_t num_moments);
 
+/// Rooms that no straight line from one point of the way to the next meets: no part of the map, the
+/// paper says. O(way + rooms).
+[[nodiscard]] std::size_t count_uncrossed(const draw::Moment& moment);
+
+/// The heights of a curve.
+[[nodiscard]] std::vector<double> heights(const std::vector<Point>& points);
+/// Of the heights; 0 of none.
+[[nodiscard]] double mean(const std::vector<Point>& points);
 /// The middle one of some values; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);
 

@@ -55,9 +55,13 @@ figure { margin: 0; }
 figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; border-radius: 6px;
              border: 1px solid var(--line); }
 figcaption { color: var(--soft); font-size: .9rem; margin-top: .3rem; }
-.verdict { border-radius: 8px; padding: .6rem .8rem; margin: .9rem 0 .2rem; }
-.good { background: var(--good-back); color: var(--good); }
-.bad { background: var(--bad-back); color: var(--bad); }
+.full { grid-column: 1 / -1; }
+.claims { width: 100%; }
+.claims th, .claims td { text-align: left; padding: .3rem .6rem; }
+.claims td:nth-child(4) { color: var(--soft); font-size: .9rem; }
+.mark { font-weight: 600; white-space: nowrap; }
+.good { background: var(--good-back); } .good .mark { color: var(--good); }
+.bad { background: var(--bad-back); } .bad .mark { color: var(--bad); }
 code { overflow-wrap: anywhere; }
 </style>
 </head>
@@ -101,12 +105,36 @@ void append_pictures(std::string& page, const Figure& figure) {
     for (const Picture& picture : figure.pictures) {
         const std::string file = io::escaped(picture.file);
         const std::string caption = io::escaped(picture.caption);
-        page.append("<figure><a href=\"").append(file);
+        page.append(picture.span == Span::full ? "<figure class=\"full\">" : "<figure>");
+        page.append("<a href=\"").append(file);
         page.append("\"><img loading=\"lazy\" src=\"").append(file);
         page.append("\" alt=\"").append(caption);
         page.append("\"/></a><figcaption>").append(caption).append("</figcaption></figure>\n");
     }
     page += "</div>\n";
+}
+
+/// "agrees in 3 of 4" as a cell of its colour.
+std::string mark_of(const std::vector<Claim>& claims) {
+    return "<span class=\"mark\">" + std::string(agrees(claims) ? "✓" : "✗") + " in " +
+           std::to_string(count_held(claims)) + " of " + std::to_string(claims.size()) + "</span>";
+}
+
+/// Each claim with what was measured, its limit and why that is its limit.
+void append_claims(std::string& page, const std::vector<Claim>& claims) {
+    page +=
+        "<h3>Agrees " + mark_of(claims) +
+        "</h3>\n<div class=\"scroll\"><table class=\"claims\">\n<tr><th>what the paper says, as "
+        "a number</th><th>measured</th><th>limit</th><th>why this limit</th></tr>\n";
+    for (const Claim& claim : claims) {
+        const bool is_held = holds(claim);
+        page += std::string("<tr class=\"") + (is_held ? "good" : "bad") +
+                "\"><td><span class=\"mark\">" + (is_held ? "✓" : "✗") + "</span> " +
+                io::escaped(claim.quantity) + "</td><td>" + io::escaped(measured_text(claim)) +
+                "</td><td>" + io::escaped(limit_text(claim)) + "</td><td>" +
+                io::escaped(claim.reason) + "</td></tr>\n";
+    }
+    page += "</table></div>\n";
 }
 
 void append_figure(std::string& page, const Figure& figure) {
@@ -116,8 +144,8 @@ void append_figure(std::string& page, const Figure& figure) {
     page += "<p class=\"soft\"><strong>Here.</strong> " + io::escaped(figure.setting) + "</p>\n";
     append_pictures(page, figure);
     for (const Table& table : figure.tables) append_table(page, table);
-    page += std::string("<p class=\"verdict ") + (agrees(figure.claims) ? "good" : "bad") + "\">" +
-            io::escaped(verdict(figure.claims)) + "</p>\n</section>\n";
+    append_claims(page, figure.claims);
+    page += "</section>\n";
 }
 
 /// "284 times as fast".
@@ -146,8 +174,9 @@ void append_run(std::string& page, const Report& report) {
     };
     page += "<h3>This run</h3>\n<div class=\"scroll\"><table>\n";
     row("command", "<code>" + io::escaped(report.command) + "</code>");
-    row("version",
-        "quadcut " + io::escaped(report.version) + ", " + io::escaped(report.machine.compiler));
+    row("version", "quadcut " + io::escaped(report.version) + ", commit <code>" +
+                       io::escaped(report.commit) + "</code>, " +
+                       io::escaped(report.machine.compiler));
     row("machine", io::escaped(report.machine.cpu) + ", " +
                        std::to_string(report.machine.num_cores) +
                        (report.machine.num_cores == 1 ? " core" : " cores") + "; " +
@@ -166,14 +195,16 @@ void append_run(std::string& page, const Report& report) {
 
 void append_overview(std::string& page, const Report& report) {
     page +=
-        "<h3>All figures</h3>\n<div class=\"scroll\"><table>\n<tr><th>figure</th>"
-        "<th>agrees?</th></tr>\n";
+        "<h3>All figures</h3>\n<div class=\"scroll\"><table class=\"claims\">\n<tr><th>figure</th>"
+        "<th>agrees</th><th>what differs from the paper</th></tr>\n";
     for (const Figure& figure : report.figures) {
-        std::size_t num_held = 0;
-        for (const Claim& claim : figure.claims) num_held += claim.holds ? 1 : 0;
-        page += "<tr><td><a href=\"#" + anchor(figure) + "\">" + heading(figure) + ": " +
-                io::escaped(figure.title) + "</a></td><td>in " + std::to_string(num_held) + " of " +
-                std::to_string(figure.claims.size()) + "</td></tr>\n";
+        page += std::string("<tr class=\"") + (agrees(figure.claims) ? "good" : "bad") +
+                "\"><td><a href=\"#" + anchor(figure) + "\">" + heading(figure) + ": " +
+                io::escaped(figure.title) + "</a></td><td>" + mark_of(figure.claims) + "</td><td>";
+        for (const Claim& claim : figure.claims) {
+            if (!holds(claim)) page += "<div>" + io::escaped(claim.quantity) + "</div>";
+        }
+        page += "</td></tr>\n";
     }
     page += "</table></div>\n";
 }

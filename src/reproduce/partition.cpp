@@ -9,6 +9,7 @@
 
 #include "eval/labels.hpp"
 #include "eval/score.hpp"
+#include "quadcut/map/clearance.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/rooms/describe.hpp"
 
@@ -71,7 +72,16 @@ std::optional<double> pq_percent(const Raster<std::uint32_t>& labels, const Grid
                                  const World& world) {
     if (!world.has_truth()) return std::nullopt;
     const Raster<std::uint32_t> truth = labels_at(world.truth_map, world.truth, map);
-    return 100.0 * eval::score_rooms(as_label_image(labels), as_label_image(truth)).pq;
+    Raster<std::uint32_t> judged = labels;
+    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+        if (truth.values[i] == 0 && !world.is_void_judged) judged.values[i] = 0;
+    }
+    return 100.0 * eval::score_rooms(as_label_image(judged), as_label_image(truth)).pq;
+}
+
+std::optional<double> pq_percent(const Segmentation& rooms, const GridMap& map,
+                                 const World& world) {
+    return pq_percent(labels_of_cells(rooms), map, world);
 }
 
 Quality quality_of(const MapGraph& graph, const Raster<std::uint32_t>& labels, const GridMap& map,
@@ -109,6 +119,7 @@ Quality quality_of(const MapGraph& graph, const Raster<std::uint32_t>& labels, c
     if (all_m2 > 0.0) quality.imbalance = largest_m2 / (all_m2 / count);
     const double cell_m2 = map.resolution_m * map.resolution_m;
     quality.num_broken = count_broken(labels, static_cast<std::size_t>(1.0 / cell_m2));
+    quality.open_border_percent = open_border_percent(labels, map);
     quality.pq_percent = pq_percent(labels, map, world);
     return quality;
 }
@@ -147,6 +158,35 @@ double agreement_percent(const GridMap& map, const Segmentation& rooms,
     return 100.0 * eval::score_rooms(as_label_image(labels), as_label_image(expected)).pq;
 }
 
+double likeness_percent(const Segmentation& rooms, const Segmentation& reference) {
+    return 100.0 *
+           eval::score_rooms(as_label_image(rooms.labels), as_label_image(reference.labels)).pq;
+}
+
+double open_border_percent(const Raster<std::uint32_t>& labels, const GridMap& map) {
+    // Half the width of a wide doorway: its middle is no farther from a jamb.
+    constexpr float kOpenM = 0.75F;
+    Raster<std::uint8_t> open(labels.origin, labels.width, labels.height);
+    for (std::size_t i = 0; i < open.values.size(); ++i) {
+        open.values[i] = map.states.values[i] == CellState::free ? 1 : 0;
+    }
+    const Raster<float> clearance = clearance_m(open, map.resolution_m);
+    std::size_t all = 0;
+    std::size_t wide = 0;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const Cell cell = labels.cell(i);
+        for (const Cell other : {Cell{cell.x + 1, cell.y}, Cell{cell.x, cell.y + 1}}) {
+            if (labels.values[i] == 0 || !labels.contains(other) || labels.at(other) == 0 ||
+                labels.at(other) == labels.values[i]) {
+                continue;
+            }
+            ++all;
+            if (clearance.values[i] > kOpenM) ++wide;
+        }
+    }
+    return all == 0 ? 0.0 : 100.0 * static_cast<double>(wide) / static_cast<double>(all);
+}
+
 Segmentation as_segmentation(const Raster<std::uint32_t>& labels, const GridMap& map) {
     Segmentation result;
     result.labels = Raster<std::uint16_t>(labels.origin, labels.width, labels.height);
@@ -164,6 +204,7 @@ Segmentation as_submaps(Segmentation rooms) {
         room.kind = RoomKind::room;
         room.name = std::to_string(index(room.id));
     }
+    rooms.doors.clear();
     return rooms;
 }
 

@@ -31,6 +31,9 @@ struct Quality {
     double cut_percent = 0.0;
     /// The largest region's area over the mean.
     double imbalance = 0.0;
+    /// Of the border between regions, percent: what lies across open floor, more than 0.75 m from
+    /// all that stands, as in the middle of no doorway of 1.5 m.
+    double open_border_percent = 0.0;
     /// Against the true rooms, percent; nothing where they are not known.
     std::optional<double> pq_percent;
 };
@@ -51,6 +54,10 @@ struct Quality {
 [[nodiscard]] std::optional<double> pq_percent(const Raster<std::uint32_t>& labels,
                                                const GridMap& map, const World& world);
 
+/// The same of a result on the cells of `map`.
+[[nodiscard]] std::optional<double> pq_percent(const Segmentation& rooms, const GridMap& map,
+                                               const World& world);
+
 /// True rooms of which no region holds 85 % of what is labelled: they are cut apart.
 [[nodiscard]] std::size_t count_cut_rooms(const Raster<std::uint32_t>& labels, const GridMap& map,
                                           const World& world);
@@ -60,11 +67,18 @@ struct Quality {
 [[nodiscard]] double agreement_percent(const GridMap& map, const Segmentation& rooms,
                                        const GridMap& reference_map, const Segmentation& reference);
 
+/// PQ, percent, of a division against another one of the same cells.
+[[nodiscard]] double likeness_percent(const Segmentation& rooms, const Segmentation& reference);
+
 /// The regions, 1 to 65535, as submaps without doors, to be drawn.
 [[nodiscard]] Segmentation as_segmentation(const Raster<std::uint32_t>& labels, const GridMap& map);
 
-/// Rooms as submaps are drawn: by number and in clear colours, whatever their shape.
+/// Rooms as submaps are drawn: by number and in clear colours, whatever their shape, and without
+/// doors: where two submaps meet there need be none.
 [[nodiscard]] Segmentation as_submaps(Segmentation rooms);
+
+/// Quality::open_border_percent of labels on the cells of a map; 0 without a border. O(cells).
+[[nodiscard]] double open_border_percent(const Raster<std::uint32_t>& labels, const GridMap& map);
 
 /// Pairs of regions that an edge of G joins (the paper's relevance), a < b.
 [[nodiscard]] std::set<std::pair<std::uint32_t, std::uint32_t>> linked_regions(

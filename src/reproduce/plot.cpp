@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "io/markup.hpp"
 #include "reproduce/sentence.hpp"
@@ -24,6 +25,7 @@ constexpr std::size_t kNumColors = 5;
 constexpr double kLetter = 7.4;
 /// Beyond this span of values bars stand on a logarithmic axis.
 constexpr double kLogSpan = 30.0;
+constexpr const char* kLogarithmic = " (logarithmic)";
 
 std::string number(double value) {
     std::array<char, 32> text{};
@@ -58,6 +60,10 @@ double tick(double range) {
         if (rough <= step * power) return step * power;
     }
     return 10.0 * power;
+}
+
+double power_of_ten_below(double value) {
+    return std::pow(10.0, std::floor(std::log10(value * 0.999)));
 }
 
 /// Collects an SVG; colours are classes, which follow the reader's choice of light or dark.
@@ -166,19 +172,24 @@ private:
 }  // namespace
 
 std::string to_svg(const Plot& plot) {
-    double x_max = 0.0;
-    double y_max = plot.y_max;
+    double x_max = 1e-9;
+    double y_max = std::max(plot.y_max, 1e-9);
+    double y_min = std::numeric_limits<double>::max();
+    const auto is_shown = [&plot](const Point& point) {
+        return is_finite(point) && (!plot.is_y_log || point.y > 0.0);
+    };
     std::vector<std::string> names;
     for (const Curve& curve : plot.curves) {
         names.push_back(curve.name);
         for (const Point& point : curve.points) {
-            if (!is_finite(point)) continue;
+            if (!is_shown(point)) continue;
             x_max = std::max(x_max, point.x);
+            y_min = std::min(y_min, point.y);
             if (plot.y_max == 0.0) y_max = std::max(y_max, point.y);
         }
     }
-    x_max = std::max(x_max, 1e-9);
-    const Scale scale(0.0, std::max(y_max, 1e-9), false);
+    const Scale scale(plot.is_y_log ? power_of_ten_below(std::min(y_min, y_max)) : 0.0, y_max,
+                      plot.is_y_log);
     const auto px = [&](double x) { return kLeft + x / x_max * (kWidth - kLeft - kRight); };
     Drawing drawing(plot.title);
     if (names.size() > 1) drawing.legend(names);
@@ -189,11 +200,11 @@ std::string to_svg(const Plot& plot) {
     }
     drawing.line(kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom, "axis");
     drawing.text((kLeft + kWidth) / 2.0, kHeight - 12.0, "middle", plot.x_name);
-    drawing.text(16.0, kTop - 2.0, "start", plot.y_name);
+    drawing.text(16.0, kTop - 2.0, "start", plot.y_name + (plot.is_y_log ? kLogarithmic : ""));
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         std::vector<Point> points;
         for (const Point& point : plot.curves[i].points) {
-            if (is_finite(point)) points.push_back({px(point.x), scale.at(point.y)});
+            if (is_shown(point)) points.push_back({px(point.x), scale.at(point.y)});
         }
         if (plot.curves[i].style == CurveStyle::line) drawing.curve(points, i);
         if (plot.curves[i].style == CurveStyle::dots || points.size() < 12) drawing.dots(points, i);
@@ -215,7 +226,7 @@ std::string to_svg(const BarPlot& plot) {
     }
     high = std::max(high, 1e-9);
     const bool is_log = low > 0.0 && high / low > kLogSpan;
-    const double base = is_log ? std::pow(10.0, std::floor(std::log10(low * 0.999))) : 0.0;
+    const double base = is_log ? power_of_ten_below(low) : 0.0;
     const Scale scale(base, high, is_log);
     Drawing drawing(plot.title);
     if (names.size() > 1) drawing.legend(names);
@@ -238,7 +249,7 @@ std::string to_svg(const BarPlot& plot) {
         }
     }
     drawing.line(kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom, "axis");
-    drawing.text(16.0, kTop - 2.0, "start", plot.y_name + (is_log ? " (logarithmic)" : ""));
+    drawing.text(16.0, kTop - 2.0, "start", plot.y_name + (is_log ? kLogarithmic : ""));
     return drawing.finish();
 }
 

@@ -19,7 +19,7 @@ struct Curve {
     CurveStyle style = CurveStyle::line;
 };
 
-/// Curves over one axis. Axes begin at 0; their names say the unit.
+/// Curves over one axis. Axes begin at 0 but logarithmic ones; their names say the unit.
 struct Plot {
     std::string title;
     std::string x_name;
@@ -29,6 +29,9 @@ struct Plot {
     double y_max = 0.0;
     /// Ticks of the x axis at whole numbers only: counts.
     bool is_x_whole = false;
+    /// A logarithmic y axis from the power of ten below the lowest value; what is not above 0 is
+    /// left out.
+    bool is_y_log = false;
 };
 
 /// One bar of each group.

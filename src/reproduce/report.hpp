@@ -15,6 +15,9 @@ namespace quadcut::reproduce {
 /// All that was measured in one run.
 struct Report {
     std::string version;
+    /// What it was built from: "1a2b3c4d", "-dirty" behind it when more than documents differed,
+    /// "unknown" without a repository.
+    std::string commit;
     std::string command;
     Machine machine;
     std::size_t num_threads = 1;

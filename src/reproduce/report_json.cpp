@@ -3,7 +3,6 @@
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "reproduce/report.hpp"
-#include "reproduce/sentence.hpp"
 
 namespace quadcut::reproduce {
 namespace {
@@ -40,6 +39,16 @@ void write_table(io::JsonWriter& json, const Table& table) {
     json.end_object();
 }
 
+void write_claim(io::JsonWriter& json, const Claim& claim) {
+    json.begin_object();
+    json.key("quantity").text(claim.quantity);
+    json.key("holds").boolean(holds(claim));
+    json.key("measured").text(measured_text(claim));
+    json.key("limit").text(limit_text(claim));
+    json.key("reason").text(claim.reason);
+    json.end_object();
+}
+
 void write_figure(io::JsonWriter& json, const Figure& figure) {
     json.begin_object(io::JsonLayout::lines);
     json.key("number").text(figure.number);
@@ -48,6 +57,9 @@ void write_figure(io::JsonWriter& json, const Figure& figure) {
     json.key("setting").text(figure.setting);
     json.key("agrees").boolean(agrees(figure.claims));
     json.key("verdict").text(verdict(figure.claims));
+    json.key("claims").begin_array(io::JsonLayout::lines);
+    for (const Claim& claim : figure.claims) write_claim(json, claim);
+    json.end_array();
     json.key("pictures").begin_array();
     for (const Picture& picture : figure.pictures) json.text(picture.file);
     json.end_array();
@@ -64,6 +76,7 @@ std::string to_json(const Report& report) {
     json.begin_object(io::JsonLayout::lines);
     json.key("format_version").integer(io::kFormatVersion);
     json.key("version").text(report.version);
+    json.key("commit").text(report.commit);
     json.key("command").text(report.command);
     json.key("seed").integer(report.seed);
     json.key("threads").integer(report.num_threads);

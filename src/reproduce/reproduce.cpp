@@ -7,14 +7,19 @@
 
 #include "io/file_batch.hpp"
 #include "quadcut/version.hpp"
+#include "reproduce/commit.hpp"
 #include "reproduce/experiments.hpp"
 #include "reproduce/timing.hpp"
 
 namespace quadcut::reproduce {
 namespace {
 
-constexpr std::size_t kNumParts = 17;
-constexpr std::size_t kNumMoments = 8;
+constexpr std::size_t kNumParts = 18;
+constexpr std::size_t kNumMoments = 6;
+// The preset `paper` follows on cells with which its graphs are as large as those that the paper
+// speaks of, some hundred nodes; one building it follows on the fine cells of all else.
+constexpr double kMiddleCellM = 0.1;
+constexpr double kCoarseCellM = 0.2;
 
 /// Counts the parts.
 class Parts {
@@ -40,12 +45,30 @@ Worlds make_worlds(const Options& options, Parts& parts) {
     worlds.intel = intel(options.data, options.size, options.seed);
     parts.begin("laboratory");
     worlds.laboratory = laboratory(options.data, options.size, options.seed);
+    const bool is_small = options.size == Size::small;
+    worlds.workplace.paper_cell_m = is_small ? kCoarseCellM : kMiddleCellM;
+    worlds.mit_csail.paper_cell_m = is_small ? kCoarseCellM : kResolutionM;
+    worlds.intel.paper_cell_m = kCoarseCellM;
+    worlds.laboratory.paper_cell_m = is_small ? kCoarseCellM : kMiddleCellM;
     return worlds;
 }
 
-FollowedTwice follow_twice(const World& world, double paper_resolution_m, const Setup& setup) {
-    return {follow(world, setup.paper(0), setup.run, paper_resolution_m, kNumMoments),
+FollowedTwice follow_twice(const World& world, const Setup& setup) {
+    return {follow(world, setup.paper(0), setup.run, world.paper_cell_m, kNumMoments),
             follow(world, setup.rooms(), setup.run, kResolutionM, kNumMoments)};
+}
+
+FollowedWorlds follow_worlds(const Worlds& worlds, const Setup& setup, Parts& parts) {
+    FollowedWorlds followed;
+    parts.begin("following: workplace");
+    followed.workplace = follow_twice(worlds.workplace, setup);
+    parts.begin("following: MIT-CSAIL");
+    followed.mit_csail = follow_twice(worlds.mit_csail, setup);
+    parts.begin("following: Intel");
+    followed.intel = follow_twice(worlds.intel, setup);
+    parts.begin("following: laboratory");
+    followed.laboratory = follow_twice(worlds.laboratory, setup);
+    return followed;
 }
 
 }  // namespace
@@ -56,6 +79,7 @@ Report measure(const Options& options, const OnPart& on_part) {
     const Setup setup{{options.num_threads}, options.seed, options.size};
     Report report;
     report.version = kVersion;
+    report.commit = built_commit();
     report.command = options.command;
     report.machine = this_machine();
     report.num_threads = options.num_threads;
@@ -66,10 +90,6 @@ Report measure(const Options& options, const OnPart& on_part) {
          {&worlds.workplace, &worlds.mit_csail, &worlds.intel, &worlds.laboratory}) {
         report.worlds.push_back(world->origin);
     }
-    // In small worlds all is coarse.
-    const auto fine = [&](double resolution_m) {
-        return options.size == Size::full ? resolution_m : kPaperFollowResolutionM;
-    };
     const auto add = [&](std::string_view part, auto&& figure_of) {
         parts.begin(part);
         report.figures.push_back(figure_of());
@@ -78,24 +98,17 @@ Report measure(const Options& options, const OnPart& on_part) {
     add("Fig 6", [&] { return figure_6(worlds, setup); });
     add("Fig 7", [&] { return figure_7(worlds, setup); });
     add("Fig 11", [&] { return figure_11(worlds, setup); });
-    parts.begin("following");
-    const FollowedTwice workplace =
-        follow_twice(worlds.workplace, fine(kWorkplaceResolutionM), setup);
-    add("Fig 12", [&] { return figure_12(worlds, workplace, setup); });
+    const FollowedWorlds followed = follow_worlds(worlds, setup, parts);
+    add("Fig 12", [&] { return figure_12(worlds, followed); });
     add("Fig 13", [&] { return figure_13(worlds); });
-    parts.begin("following");
-    const FollowedTwice intel = follow_twice(worlds.intel, kPaperFollowResolutionM, setup);
-    add("Fig 14", [&] { return figure_14(worlds, workplace, intel); });
+    add("Fig 14", [&] { return figure_14(worlds, followed); });
     add("Figs 15-17", [&] { return figures_15_to_17(worlds, setup); });
     add("Fig 18", [&] {
-        IntelResult result = figure_18(worlds, intel, setup);
+        IntelResult result = figure_18(worlds, followed.intel, setup);
         report.headlines = std::move(result.headlines);
         return std::move(result.figure);
     });
-    parts.begin("following");
-    const FollowedTwice laboratory =
-        follow_twice(worlds.laboratory, fine(kLaboratoryResolutionM), setup);
-    add("Figs 20-22", [&] { return figures_20_to_22(worlds, laboratory, setup); });
+    add("Figs 20-22", [&] { return figures_20_to_22(worlds, followed.laboratory, setup); });
     report.elapsed_s = ms_since(start) / 1000.0;
     return report;
 }

@@ -8,20 +8,6 @@
 #include "io/number_text.hpp"
 
 namespace quadcut::reproduce {
-namespace {
-
-std::string joined(const std::vector<Claim>& claims, bool holds) {
-    std::string text;
-    for (const Claim& claim : claims) {
-        if (claim.holds != holds) continue;
-        if (!text.empty()) text += "; ";
-        text += claim.text;
-    }
-    return text;
-}
-
-}  // namespace
-
 std::string with_commas(std::string number) {
     const std::size_t first = number.front() == '-' ? 1 : 0;
     for (std::size_t at = std::min(number.find('.'), number.size()); at > first + 3;) {
@@ -32,6 +18,7 @@ std::string with_commas(std::string number) {
 }
 
 std::string in_words(double value) {
+    if (!std::isfinite(value)) return "no number";
     const double magnitude = std::abs(value);
     const int decimals = magnitude >= 100.0 ? 0 : magnitude >= 10.0 ? 1 : magnitude >= 0.1 ? 2 : 4;
     return with_commas(io::rounded(value, decimals));
@@ -42,20 +29,6 @@ std::string speed_against(double ours_ms, double theirs_ms) {
     if (ratio > 1.1) return in_words(ratio) + " times as fast as";
     if (ratio < 1.0 / 1.1) return in_words(1.0 / ratio) + " times as slow as";
     return "about as fast as";
-}
-
-bool agrees(const std::vector<Claim>& claims) {
-    return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
-}
-
-std::string verdict(const std::vector<Claim>& claims) {
-    const auto num_held =
-        std::count_if(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
-    const auto num_all = static_cast<std::ptrdiff_t>(claims.size());
-    if (num_held == num_all) return "Agrees: " + joined(claims, true) + ".";
-    if (num_held == 0) return "Differs: " + joined(claims, false) + ".";
-    return "Agrees in " + std::to_string(num_held) + " of " + std::to_string(num_all) + ": " +
-           joined(claims, true) + ". Differs: " + joined(claims, false) + ".";
 }
 
 }  // namespace quadcut::reproduce

@@ -3,9 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
-
-#include "reproduce/figure.hpp"
 
 namespace quadcut::reproduce {
 
@@ -14,17 +11,13 @@ namespace quadcut::reproduce {
 /// A number with commas between its thousands: 17,300.25.
 [[nodiscard]] std::string with_commas(std::string number);
 
-/// Two or three significant digits, thousands with commas: 17,300, 43, 0.31.
+/// Two or three significant digits, thousands with commas: 17,300, 43, 0.31; "no number" for
+/// what is not finite.
 [[nodiscard]] std::string in_words(double value);
 
 /// "3.2 times as long as", "a 284th of the time of" is harder to read than what this says:
 /// "284 times as fast as" or "3.2 times as slow as", of ours against theirs; "about as fast as"
 /// within a tenth.
 [[nodiscard]] std::string speed_against(double ours_ms, double theirs_ms);
-
-/// One sentence on all claims: "Agrees: ...", "Differs: ...", or "Agrees in 2 of 3: ...; differs:
-/// ...".
-[[nodiscard]] std::string verdict(const std::vector<Claim>& claims);
-[[nodiscard]] bool agrees(const std::vector<Claim>& claims);
 
 }  // namespace quadcut::reproduce

@@ -24,8 +24,8 @@ constexpr const char* kCsailLog = "logs/mit_csail.log";
 constexpr const char* kIntelLog = "logs/intel.log";
 constexpr const char* kIntelMap = "logs/intel.gt.yaml";
 constexpr const char* kIntelRooms = "logs/intel.gt_rooms.png";
-constexpr const char* kLaboratoryMap = "rooms/lab_c_scan.furnished.yaml";
-constexpr const char* kLaboratoryRooms = "rooms/lab_c_scan.rooms.png";
+constexpr const char* kLaboratoryLog = "logs/mit_csail_dense.log.gz";
+constexpr const char* kLaboratoryRooms = "real/mit_csail_dense.rooms.png";
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// Lays the scans into a map.
@@ -96,10 +96,10 @@ void read_truth(World& world, const GridMap& map, const std::filesystem::path& i
 
 void check_data(const std::filesystem::path& data) {
     for (const char* file :
-         {kCsailLog, kIntelLog, kIntelMap, kIntelRooms, kLaboratoryMap, kLaboratoryRooms}) {
+         {kCsailLog, kIntelLog, kIntelMap, kIntelRooms, kLaboratoryLog, kLaboratoryRooms}) {
         if (std::filesystem::exists(data / file)) continue;
         throw InputError(io::display_name(data / file) +
-                         ": does not exist: expected a folder with the data's logs and rooms");
+                         ": does not exist: expected a folder with the data's logs and real maps");
     }
 }
 
@@ -134,21 +134,18 @@ World laboratory(const std::optional<std::filesystem::path>& data, Size size, st
         return simulated("laboratory", "the paper's laboratory", size == Size::small ? 4 : 9, 1.0,
                          seed + 2);
     }
-    const GridMap ground = io::read_map(*data / kLaboratoryMap).map;
-    World world;
-    world.name = "laboratory";
-    // The inside of furniture is drawn as unknown, which would not stop the laser.
-    GridMap solid = ground;
-    std::replace(solid.states.values.begin(), solid.states.values.end(), CellState::unknown,
-                 CellState::occupied);
-    constexpr double kMinPartM2 = 4.0;
-    explore(world, solid, sim::widest_place(inside(ground, {}, kMinPartM2), ground), seed);
-    read_truth(world, ground, *data / kLaboratoryRooms);
-    world.origin =
-        "laboratory: the floor plan of a real laboratory with its furniture, "
-        "lab_c_scan.furnished (not the paper's), and a simulated robot, " +
-        std::to_string(world.scans.size()) + " scans";
-    return world;
+    World world = from_log("laboratory", *data / kLaboratoryLog);
+    world.is_void_judged = false;
+    world.origin += ", all that it took: an open-plan laboratory with partitions and desks";
+    read_truth(world, world.map, *data / kLaboratoryRooms);
+    if (world.truth.width == world.map.states.width &&
+        world.truth.height == world.map.states.height) {
+        return world;
+    }
+    throw InputError(io::display_name(*data / kLaboratoryRooms) + ": expected " +
+                     std::to_string(world.map.states.width) + " x " +
+                     std::to_string(world.map.states.height) + " pixels, as the map of " +
+                     kLaboratoryLog + " has");
 }
 
 }  // namespace quadcut::reproduce

@@ -88,12 +88,20 @@ TEST(SlowReproduce, SmallWorldsGiveTheWholePage) {
     const Json json = Json::parse(outcome.out);
     expect_finite(json, "");
     EXPECT_EQ(json.at("simulated"), true);
+    EXPECT_NE(page.find("commit <code>" + json.at("commit").get<std::string>()), std::string::npos);
     std::vector<std::string> numbers;
     std::set<std::string> pictures;
     for (const Json& figure : json.at("figures")) {
         numbers.push_back(figure.at("number"));
         EXPECT_FALSE(figure.at("verdict").get<std::string>().empty());
         EXPECT_FALSE(figure.at("tables").empty()) << numbers.back();
+        EXPECT_FALSE(figure.at("claims").empty()) << numbers.back();
+        for (const Json& claim : figure.at("claims")) {
+            EXPECT_NE(claim.at("measured"), "not measured") << claim;
+            EXPECT_EQ(claim.at("measured").get<std::string>().find("no number"), std::string::npos)
+                << claim;
+            EXPECT_FALSE(claim.at("reason").get<std::string>().empty()) << claim;
+        }
         EXPECT_FALSE(figure.at("pictures").empty()) << numbers.back();
         for (const Json& picture : figure.at("pictures")) {
             EXPECT_TRUE(pictures.insert(picture).second) << picture;

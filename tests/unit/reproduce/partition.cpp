@@ -81,6 +81,48 @@ TEST(Partition, ResultsAgreeWhereBothHaveRooms) {
     EXPECT_LT(agreement_percent(map, as_segmentation(cut_at(map, 9), map), map, whole), 80.0);
 }
 
+TEST(Partition, LikenessCountsRegionsThatAreMissing) {
+    const GridMap map = two_closed_rooms();
+    const Segmentation whole = as_segmentation(cut_at(map, 6), map);
+    Raster<std::uint32_t> seen = cut_at(map, 6);
+    for (std::uint32_t& label : seen.values) label = label == 2 ? 0 : label;
+    EXPECT_DOUBLE_EQ(likeness_percent(whole, whole), 100.0);
+    EXPECT_LT(likeness_percent(as_segmentation(seen, map), whole), 80.0);
+}
+
+TEST(Partition, WhatNobodyCanNameIsNotJudged) {
+    World world;
+    world.map = two_closed_rooms();
+    world.truth_map = world.map;
+    world.truth = cut_at(world.map, 6);
+    for (std::uint32_t& label : world.truth.values) label = label == 2 ? 0 : label;
+    EXPECT_LT(pq_percent(cut_at(world.map, 6), world.map, world).value(), 80.0);
+    world.is_void_judged = false;
+    EXPECT_DOUBLE_EQ(pq_percent(cut_at(world.map, 6), world.map, world).value(), 100.0);
+}
+
+TEST(Partition, ABorderAcrossTheFloorIsToldFromOneInADoor) {
+    // 4.8 m wide, so that the middle of a cut is 0.75 m from all walls and more; a door of 0.4 m.
+    const GridMap map = test::drawn_map({"##############",  //
+                                         "#.....##.....#",  //
+                                         "#.....##.....#",  //
+                                         "#............#",  //
+                                         "#.....##.....#",  //
+                                         "#.....##.....#",  //
+                                         "#.....##.....#",  //
+                                         "##############"},
+                                        0.05, kScale);
+    EXPECT_EQ(open_border_percent(cut_at(map, 7), map), 0.0);
+    EXPECT_NEAR(open_border_percent(cut_at(map, 4), map), 100.0 * 0.9 / 2.4, 4.0);
+    EXPECT_EQ(open_border_percent(cut_at(map, 1), map), 0.0) << "no border at all";
+}
+
+TEST(Partition, SubmapsHaveNoDoors) {
+    Segmentation rooms = as_segmentation(cut_at(two_closed_rooms(), 6), two_closed_rooms());
+    rooms.doors.emplace_back();
+    EXPECT_TRUE(as_submaps(rooms).doors.empty());
+}
+
 TEST(Partition, LinksAreThePairsWithAnEdge) {
     const GridMap map = two_closed_rooms();
     const MapGraph graph = graph_of_rooms(map);

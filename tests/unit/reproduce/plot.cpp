@@ -42,6 +42,16 @@ TEST(Plot, NothingToShowIsStillAPlot) {
     EXPECT_NE(to_svg(BarPlot{"t", "ms", "", {}, {}}).find("</svg>"), std::string::npos);
 }
 
+TEST(Plot, ALogarithmicAxisShowsSmallAndLarge) {
+    Plot plot{
+        "t", "scan", "ms", {{"a", {{1.0, 0.0}, {2.0, 5.0}, {3.0, 4000.0}}, CurveStyle::dots}}};
+    plot.is_y_log = true;
+    const std::string svg = to_svg(plot);
+    EXPECT_EQ(count(svg, "<circle"), 2U) << "0 has no place";
+    EXPECT_NE(svg.find("ms (logarithmic)"), std::string::npos);
+    EXPECT_NE(svg.find(">1,000<"), std::string::npos);
+}
+
 TEST(BarPlot, EachValueHasABarWithItsNumber) {
     const BarPlot plot{"t", "ms", "", {"a", "b"}, {{"one", {1.0, 2.0}}, {"two", {3.0, 0.0}}}};
     const std::string svg = to_svg(plot);

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "reproduce/sentence.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace quadcut::reproduce {
@@ -16,21 +18,13 @@ TEST(Sentence, NumbersAreWrittenAsTheyAreRead) {
     EXPECT_EQ(in_words(12.34), "12.3");
     EXPECT_EQ(in_words(0.0123), "0.0123");
     EXPECT_EQ(in_words(0.0), "0");
+    EXPECT_EQ(in_words(std::numeric_limits<double>::infinity()), "no number");
 }
 
 TEST(Sentence, SpeedSaysWhichIsFaster) {
     EXPECT_EQ(speed_against(100.0, 17300.0), "173 times as fast as");
     EXPECT_EQ(speed_against(86.0, 43.0), "2 times as slow as");
     EXPECT_EQ(speed_against(43.0, 44.0), "about as fast as");
-}
-
-TEST(Sentence, VerdictSaysHowManyClaimsHold) {
-    EXPECT_EQ(verdict({{true, "a"}, {true, "b"}}), "Agrees: a; b.");
-    EXPECT_EQ(verdict({{false, "a"}}), "Differs: a.");
-    EXPECT_EQ(verdict({{true, "a"}, {false, "b"}, {true, "c"}}),
-              "Agrees in 2 of 3: a; c. Differs: b.");
-    EXPECT_TRUE(agrees({{true, "a"}}));
-    EXPECT_FALSE(agrees({{true, "a"}, {false, "b"}}));
 }
 
 }  // namespace
