@@ -69,8 +69,11 @@ std::vector<PaperCase> cases(std::vector<std::string> logs) {
         const BuildingCase chosen = building_case(i);
         sim::Building building = building_of(chosen);
         std::vector<Scan> scans = scans_of(chosen, building);
+        Raster<std::uint32_t> truth(building.labels.box());
+        std::copy(building.labels.values.begin(), building.labels.values.end(),
+                  truth.values.begin());
         all.push_back({"building " + std::to_string(i + 1) + ", " + name_of(chosen),
-                       std::move(scans), std::move(building.map), std::move(building.labels)});
+                       std::move(scans), std::move(building.map), std::move(truth)});
     }
     return all;
 }
@@ -220,7 +223,7 @@ void queue_pairs(Json& rows) {
                 static_cast<void>(sight_edges(leaves.table, leaves.nodes, kResolutionM,
                                               SelfLoops::none, Executor{static_cast<int>(parts)}));
             }};
-        const std::vector<double> ms = reproduce::least_ms(5, works);
+        const std::vector<double> ms = least_ms(5, works);
         std::printf("%zu parts: queue and copies %.1f ms, shared tree %.1f ms, %zu of %zu edges\n",
                     parts, ms[0], ms[1], found, num_edges);
         rows.push_back({{"part", "queue"},

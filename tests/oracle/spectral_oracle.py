@@ -55,7 +55,7 @@ def silhouettes(path):
         print(error, file=sys.stderr)
         sys.exit(3)
     table = np.loadtxt(path, ndmin=2)
-    return silhouette_samples(table[:, 1:], table[:, 0].astype(int))
+    return silhouette_samples(table[:, 1:], table[:, 0].astype(int), metric="sqeuclidean")
 
 
 if __name__ == "__main__":

@@ -7,14 +7,17 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000,
-                      "number of submaps; 0: by what they have to do with each "
-                      "other",
+    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen (paper.number_by)",
                       "eq. (5)", &options.num_submaps});
-    fields.push_back({"paper.first_cut", "", 0, 0,
-                      "how a map is cut when no number is given: in halves, or by k-means first, "
-                      "its number by silhouette",
-                      "", choice(options.first_cut, {"halves", "silhouette"})});
+    fields.push_back({"paper.number_by", "", 0, 0,
+                      "how the number of submaps is chosen; halves: it comes of cutting in half",
+                      "eq. (9)", choice(options.number_by, {"halves", "eigengap", "silhouette"})});
+    fields.push_back({"paper.min_eigenvalue", "", 0.0, 2.0,
+                      "the eigengap lies behind an eigenvalue of at least this", "",
+                      &options.min_eigenvalue});
+    fields.push_back({"paper.max_eigenvalue", "", 0.0, 2.0,
+                      "the eigengap lies behind an eigenvalue of at most this", "",
+                      &options.max_eigenvalue});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",
                       &options.max_submaps});

@@ -23,19 +23,25 @@ enum class SelfLoops : std::uint8_t {
     largest_weight,
 };
 
-/// How a region is cut when no number of submaps is given.
-enum class FirstCut : std::uint8_t {
-    /// In half, again and again, as far as halves are little related (cut_in_half()).
+/// How the number of submaps is chosen.
+enum class NumberBy : std::uint8_t {
+    /// By no number: cut in half, again and again, as far as halves are little related.
     halves,
-    /// By k-means first, into the number with the best silhouette; then as above.
+    /// Where the spectrum of the graph's basins has its largest relative gap.
+    eigengap,
+    /// The best mean silhouette, eqs. (7) to (9).
     silhouette,
 };
 
 /// The preset `paper`.
 struct PaperOptions {
-    /// 0: as many as there are.
+    /// 0: chosen as number_by says.
     std::size_t num_submaps = 0;
-    FirstCut first_cut = FirstCut::halves;
+    NumberBy number_by = NumberBy::halves;
+    /// The gap is looked for between these eigenvalues: what costs less as a normalised cut is one
+    /// between submaps, what costs more is none.
+    double min_eigenvalue = 0.06;
+    double max_eigenvalue = 0.15;
     std::size_t max_submaps = 30;
     double min_silhouette = 0.25;
     LaplacianKind laplacian = LaplacianKind::degree;
@@ -44,7 +50,7 @@ struct PaperOptions {
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;
-    double max_submap_m2 = 200.0;
+    double max_submap_m2 = 300.0;
     std::size_t max_route_edges = 1000;
     double min_relation_per_m = 0.2;
 };

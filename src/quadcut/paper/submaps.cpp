@@ -287,9 +287,9 @@ Submaps find_submaps(const Graph& graph, const PaperOptions& options, std::uint6
     if (options.num_submaps != 0) {
         pieces = cut_into(region, options.num_submaps, options, seed, clock, executor);
     } else {
-        pieces = options.first_cut == FirstCut::silhouette
-                     ? cut(region, options, seed, clock, executor)
-                     : whole_components(region);
+        pieces = options.number_by == NumberBy::halves
+                     ? whole_components(region)
+                     : cut(region, options, seed, clock, executor);
         pieces = divide_submaps(region, std::move(pieces), options, seed, clock, executor);
         clock.begin("fuse");
         pieces = fuse_submaps(region, std::move(pieces), options);

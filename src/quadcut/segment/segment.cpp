@@ -17,6 +17,7 @@
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
@@ -135,6 +136,8 @@ Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options
     Raster<std::uint32_t> labels = paint_submaps(placed.states.box(), leaves, submaps);
     // Inside and outside: a submap that the trajectory does not cross is no part of the map.
     if (drops_uncrossed(all_options)) drop_uncrossed(labels, visited_cells(map, trajectory));
+    // Leaves that see each other through a slit need not touch.
+    connect_regions(labels, {}, executor);
 
     result.report.num_leaves = leaves.nodes.size();
     result.report.num_edges = num_edges(graph);

@@ -12,10 +12,10 @@ namespace quadcut {
 /// infinite behind what counts as zero (1e-10 of the largest). Of ascending values; one fewer.
 [[nodiscard]] std::vector<double> relative_gaps(std::span<const double> values);
 
-/// The number of clusters k in min_clusters .. max_clusters behind whose eigenvalue the largest
-/// relative gap lies (von Luxburg 2007, section 8.3, with relative gaps: eigenvalues of rooms span
-/// decades); the least such k. Each connected component of a graph is a cluster at least. No more
-/// than values.size() - 1, and 1 where that is below min_clusters.
+/// The number of clusters k behind whose eigenvalue the largest relative gap lies (von Luxburg
+/// 2007, section 8.3; relative, because eigenvalues of rooms span decades), the least such k, among
+/// min_clusters .. max_clusters; behind the last of all values there is none. 1 where nothing is to
+/// choose from.
 [[nodiscard]] std::size_t num_clusters_by_eigengap(std::span<const double> values,
                                                    std::size_t min_clusters,
                                                    std::size_t max_clusters);

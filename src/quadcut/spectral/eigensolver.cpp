@@ -157,11 +157,47 @@ Eigenpairs solve_at(double shift, const Laplacian& laplacian, double limit, std:
     return pairs;
 }
 
+/// Small matrices are solved as a whole: that takes about as long as Lanczos steps for n^2 / 700
+/// pairs, measured on 8 to 300 nodes.
+bool is_dense_faster(std::size_t num_nodes, std::size_t count) {
+    return num_nodes <= 300 && num_nodes * num_nodes <= 700 * std::min(count, num_nodes);
+}
+
+Eigenpairs solve_dense(const Laplacian& laplacian, double limit, std::size_t max_count,
+                       const EigenOptions& options, const Executor& executor) {
+    const auto size = static_cast<Index>(laplacian.size());
+    MatrixXd matrix = MatrixXd::Zero(size, size);
+    for (Index i = 0; i < size; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        matrix(i, i) = laplacian.diagonal()[row];
+        const auto columns = laplacian.row_columns(row);
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            matrix(i, static_cast<Index>(columns[k])) = laplacian.row_values(row)[k];
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
+    if (solver.info() != Eigen::Success) throw NumericalError("eigensolver: no convergence");
+    const VectorXd& values = solver.eigenvalues();
+    const auto num_below = static_cast<std::size_t>(
+        std::lower_bound(values.begin(), values.end(), limit) - values.begin());
+    const std::size_t count = std::min(max_count, std::max<std::size_t>(1, num_below));
+    Eigenpairs pairs;
+    pairs.num_nodes = laplacian.size();
+    pairs.values.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
+    pairs.vectors.resize(count * pairs.num_nodes);
+    vectors_of(pairs) = solver.eigenvectors().leftCols(static_cast<Index>(count));
+    finish(laplacian, options, executor, pairs);
+    return pairs;
+}
+
 /// Eigenpairs of a connected graph's Laplacian: the `max_count` smallest of those below `limit`.
 /// There may be more, and their order is any. Eigenvalues within 3e-6 of the norm may stand for
 /// each other where no factorisation between them is stable.
 Eigenpairs solve_connected(const Laplacian& laplacian, double limit, std::size_t max_count,
                            const EigenOptions& options, const Executor& executor) {
+    if (is_dense_faster(laplacian.size(), max_count)) {
+        return solve_dense(laplacian, limit, max_count, options, executor);
+    }
     try {
         return solve_at(kNearShift, laplacian, limit, max_count, options, executor);
     } catch (const NumericalError&) {

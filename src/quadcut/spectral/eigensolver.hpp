@@ -48,8 +48,9 @@ struct Eigenpairs {
 /// What is returned has been checked: residuals, orthonormality, and, by the inertia of a
 /// factorisation of L - sigma I (Sylvester), that no smaller eigenvalue was passed over. Throws
 /// NumericalError when a check fails, std::logic_error where Laplacian() does.
-/// Cost: two sparse factorisations for each component, two to four solves a pair, and as many times
-/// `count` products of vectors; memory about 2.3 count + 38 vectors (258 + 2 count at most).
+/// Cost: small components are solved as a whole, O(nodes^3). Else two sparse factorisations for
+/// each, two to four solves a pair, and as many times `count` products of vectors; memory about 2.3
+/// count + 38 vectors (258 + 2 count at most).
 [[nodiscard]] Eigenpairs smallest_eigenpairs(const Graph& graph, LaplacianKind kind,
                                              std::size_t count, const EigenOptions& options = {},
                                              const Executor& executor = {});

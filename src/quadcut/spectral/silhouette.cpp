@@ -14,113 +14,67 @@
 namespace quadcut {
 namespace {
 
-constexpr std::size_t kSamplesPerChunk = 32;
+constexpr std::size_t kSamplesPerChunk = 512;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A clustering of the samples by their first `num_dims` dimensions.
-struct Level {
-    std::size_t num_dims = 0;
-    Clustering clusters;
-    std::vector<std::size_t> sizes;
+/// The means of clusters, one row a cluster, and what the mean squared distance of a sample to the
+/// members of a cluster needs besides its distance to the mean.
+struct Spread {
+    Embedding means;
+    std::vector<double> sizes;
+    /// Mean squared distances of the members to their mean.
+    std::vector<double> variances;
 };
 
-Level make_level(const Embedding& samples, Clustering clusters) {
-    Level level{samples.num_dims, std::move(clusters), {}};
-    level.sizes.assign(level.clusters.num_clusters, 0);
-    for (const std::uint32_t label : level.clusters.labels) ++level.sizes[label];
-    return level;
+double squared_distance(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < a.size(); ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
+    return sum;
 }
 
-double silhouette(std::uint32_t own, const std::vector<double>& sums,
-                  const std::vector<std::size_t>& sizes) {
-    if (sizes[own] < 2) return 0.0;
-    // Eq. (7): a = mean distance to the other samples of the own cluster
-    const double a = sums[own] / static_cast<double>(sizes[own] - 1);
-    // Eq. (8): b = the least mean distance to another cluster
+Spread spread_of(const Embedding& samples, const Clustering& clusters) {
+    const std::size_t dims = samples.num_dims;
+    const std::size_t count = clusters.num_clusters;
+    Spread spread{{count, dims, std::vector<double>(count * dims, 0.0)},
+                  std::vector<double>(count, 0.0),
+                  std::vector<double>(count, 0.0)};
+    for (std::size_t i = 0; i < samples.num_samples; ++i) {
+        const std::uint32_t own = clusters.labels[i];
+        const auto row = samples.row(i);
+        for (std::size_t d = 0; d < dims; ++d) spread.means.values[own * dims + d] += row[d];
+        spread.sizes[own] += 1.0;
+    }
+    for (std::size_t k = 0; k < spread.means.values.size(); ++k) {
+        spread.means.values[k] /= std::max(1.0, spread.sizes[k / dims]);
+    }
+    for (std::size_t i = 0; i < samples.num_samples; ++i) {
+        const std::uint32_t own = clusters.labels[i];
+        spread.variances[own] +=
+            squared_distance(samples.row(i), spread.means.row(own)) / spread.sizes[own];
+    }
+    return spread;
+}
+
+/// The mean squared distance of a sample to the members of a cluster is its squared distance to
+/// their mean and their variance.
+double silhouette(std::span<const double> sample, std::uint32_t own, const Spread& spread) {
+    if (spread.sizes[own] < 2.0) return 0.0;
+    double a = 0.0;
     double b = kInfinity;
-    for (std::size_t cluster = 0; cluster < sums.size(); ++cluster) {
-        if (cluster == own || sizes[cluster] == 0) continue;
-        b = std::min(b, sums[cluster] / static_cast<double>(sizes[cluster]));
+    for (std::size_t cluster = 0; cluster < spread.sizes.size(); ++cluster) {
+        if (spread.sizes[cluster] == 0.0) continue;
+        const double distance =
+            squared_distance(sample, spread.means.row(cluster)) + spread.variances[cluster];
+        // Eq. (7): a = mean distance to the other samples of the own cluster
+        if (cluster == own) a = distance * spread.sizes[own] / (spread.sizes[own] - 1.0);
+        // Eq. (8): b = the least mean distance to another cluster
+        if (cluster != own) b = std::min(b, distance);
     }
     if (b == kInfinity) return 0.0;
     // Eq. (9): s = (b - a) / max(a, b)
     const double larger = std::max(a, b);
     return larger > 0.0 ? (b - a) / larger : 0.0;
 }
-
-/// Silhouettes of all samples at several levels, dimensions ascending. The distances of a sample to
-/// all others grow from level to level by the dimensions that are added: so all levels together
-/// cost little more than the last, and no matrix of distances is ever stored.
-class LevelSilhouettes {
-public:
-    explicit LevelSilhouettes(const Embedding& samples)
-        : num_samples_(samples.num_samples), columns_(samples.values.size()) {
-        // Column by column, so that loops over samples are loops over memory.
-        for (std::size_t i = 0; i < num_samples_; ++i) {
-            const auto row = samples.row(i);
-            for (std::size_t d = 0; d < row.size(); ++d) columns_[d * num_samples_ + i] = row[d];
-        }
-    }
-
-    /// One list a level.
-    [[nodiscard]] std::vector<std::vector<double>> compute(const std::vector<Level>& levels,
-                                                           const Executor& executor) const {
-        std::vector<std::vector<double>> result(levels.size());
-        for (auto& list : result) list.resize(num_samples_);
-        const auto work = [&](std::size_t first, std::size_t last) {
-            std::vector<double> grown(num_samples_);
-            std::vector<double> distances(num_samples_);
-            std::vector<double> sums;
-            for (std::size_t i = first; i < last; ++i) {
-                std::fill(grown.begin(), grown.end(), 0.0);
-                std::size_t num_dims = 0;
-                for (std::size_t l = 0; l < levels.size(); ++l) {
-                    const Level& level = levels[l];
-                    for (; num_dims < level.num_dims; ++num_dims) {
-                        add_dimension(num_dims, i, grown);
-                    }
-                    for (std::size_t j = 0; j < num_samples_; ++j) {
-                        distances[j] = std::sqrt(grown[j]);
-                    }
-                    add_up(level, distances, sums);
-                    result[l][i] = silhouette(level.clusters.labels[i], sums, level.sizes);
-                }
-            }
-        };
-        parallel_for(executor, num_samples_, kSamplesPerChunk, work);
-        return result;
-    }
-
-private:
-    /// Adds to squared distances from sample i.
-    void add_dimension(std::size_t dim, std::size_t i, std::vector<double>& grown) const {
-        const auto column = std::span(columns_).subspan(dim * num_samples_, num_samples_);
-        const double own = column[i];
-        for (std::size_t j = 0; j < num_samples_; ++j) {
-            grown[j] += (column[j] - own) * (column[j] - own);
-        }
-    }
-
-    /// Sums of distances by cluster. In lanes: neighbours tend to be in one cluster, and each sum
-    /// would wait for the one before.
-    static void add_up(const Level& level, const std::vector<double>& distances,
-                       std::vector<double>& sums) {
-        constexpr std::size_t kLanes = 4;
-        const std::size_t num_clusters = level.sizes.size();
-        sums.assign(kLanes * num_clusters, 0.0);
-        for (std::size_t j = 0; j < distances.size(); ++j) {
-            sums[kLanes * level.clusters.labels[j] + j % kLanes] += distances[j];
-        }
-        for (std::size_t c = 0; c < num_clusters; ++c) {
-            const double* lane = &sums[kLanes * c];
-            sums[c] = (lane[0] + lane[1]) + (lane[2] + lane[3]);
-        }
-        sums.resize(num_clusters);
-    }
-
-    std::size_t num_samples_;
-    std::vector<double> columns_;
-};
 
 double mean_of(const std::vector<double>& values) {
     if (values.empty()) return 0.0;
@@ -156,46 +110,37 @@ Embedding rows_of(const Embedding& samples, const std::vector<std::size_t>& chos
 std::vector<double> score_numbers(const Eigenpairs& pairs, std::size_t max_clusters,
                                   const ChooseOptions& options, const Executor& executor) {
     const std::vector<std::size_t> chosen =
-        draw_samples(pairs.num_nodes, options.silhouette.max_samples, options.silhouette.seed);
-    std::vector<Level> levels(max_clusters + 1 - options.min_clusters);
-    std::vector<double> scores(levels.size());
-    // Scaled rows have other distances at each level.
-    const bool is_scaled = options.scaling != RowScaling::none;
-    parallel_for(executor, levels.size(), 1, [&](std::size_t i, std::size_t) {
+        draw_samples(pairs.num_nodes, options.max_samples, options.k_means.seed);
+    std::vector<double> scores(max_clusters + 1 - options.min_clusters);
+    parallel_for(executor, scores.size(), 1, [&](std::size_t i, std::size_t) {
         const std::size_t k = options.min_clusters + i;
         const Embedding part = rows_of(embed(pairs, k, options.scaling), chosen);
-        levels[i] = make_level(part, cluster_k_means(part, k, options.k_means).clustering);
-        if (is_scaled) scores[i] = mean_of(silhouettes(part, levels[i].clusters, executor));
+        scores[i] = mean_silhouette(part, cluster_k_means(part, k, options.k_means).clustering);
     });
-    if (is_scaled) return scores;
-    const LevelSilhouettes all(rows_of(embed(pairs, max_clusters), chosen));
-    const auto values = all.compute(levels, executor);
-    std::transform(values.begin(), values.end(), scores.begin(), mean_of);
     return scores;
-}
-
-void check(const Embedding& samples, const Clustering& clusters) {
-    if (clusters.labels.size() != samples.num_samples) {
-        throw std::logic_error("silhouettes: labels and samples differ in number");
-    }
 }
 
 }  // namespace
 
 std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
                                 const Executor& executor) {
-    check(samples, clusters);
-    return LevelSilhouettes(samples).compute({make_level(samples, clusters)}, executor)[0];
+    if (clusters.labels.size() != samples.num_samples) {
+        throw std::logic_error("silhouettes: labels and samples differ in number");
+    }
+    const Spread spread = spread_of(samples, clusters);
+    std::vector<double> result(samples.num_samples);
+    parallel_for(executor, result.size(), kSamplesPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i) {
+                         result[i] = silhouette(samples.row(i), clusters.labels[i], spread);
+                     }
+                 });
+    return result;
 }
 
 double mean_silhouette(const Embedding& samples, const Clustering& clusters,
-                       const SilhouetteOptions& options, const Executor& executor) {
-    check(samples, clusters);
-    const std::vector<std::size_t> chosen =
-        draw_samples(samples.num_samples, options.max_samples, options.seed);
-    Clustering of_chosen{{}, clusters.num_clusters};
-    for (const std::size_t i : chosen) of_chosen.labels.push_back(clusters.labels[i]);
-    return mean_of(silhouettes(rows_of(samples, chosen), of_chosen, executor));
+                       const Executor& executor) {
+    return mean_of(silhouettes(samples, clusters, executor));
 }
 
 ChosenClustering choose_num_clusters(const Eigenpairs& pairs, const ChooseOptions& options,
@@ -215,7 +160,7 @@ ChosenClustering choose_num_clusters(const Eigenpairs& pairs, const ChooseOption
     while (!best.accepted && best.num_attempts < std::max<std::size_t>(1, options.max_attempts)) {
         k_means.seed = options.k_means.seed + best.num_attempts;
         Clustering clusters = cluster_k_means(samples, num_clusters, k_means, executor).clustering;
-        const double score = mean_silhouette(samples, clusters, options.silhouette, executor);
+        const double score = mean_silhouette(samples, clusters, executor);
         if (best.num_attempts == 0 || score > best.score) {
             best.clustering = std::move(clusters);
             best.score = score;

@@ -13,21 +13,16 @@
 
 namespace quadcut {
 
-struct SilhouetteOptions {
-    /// Above this many samples the score is that of a seeded sample of so many.
-    std::size_t max_samples = 4000;
-    std::uint64_t seed = 1;
-};
-
-/// Silhouettes (Rousseeuw 1987) of all samples by Euclidean distance, in [-1, 1]; 0 in a cluster of
-/// one, and 0 when there is only one cluster. Eqs. (7), (8), (9). O(samples^2 * dims). Throws
-/// std::logic_error if labels and samples differ in number.
+/// Silhouettes (Rousseeuw 1987) of all samples by squared Euclidean distance, in [-1, 1]; 0 in a
+/// cluster of one, and 0 when there is only one cluster. Eqs. (7), (8), (9). With squared distances
+/// the mean distance to a cluster's members follows from their mean and variance, so that the cost
+/// is O(samples * clusters * dims) and not O(samples^2 * dims). Throws std::logic_error if labels
+/// and samples differ in number.
 [[nodiscard]] std::vector<double> silhouettes(const Embedding& samples, const Clustering& clusters,
                                               const Executor& executor = {});
 
-/// Their mean, over a seeded sample where there are many. 0 without samples.
+/// Their mean. 0 without samples.
 [[nodiscard]] double mean_silhouette(const Embedding& samples, const Clustering& clusters,
-                                     const SilhouetteOptions& options = {},
                                      const Executor& executor = {});
 
 struct ChooseOptions {
@@ -40,7 +35,8 @@ struct ChooseOptions {
     std::size_t max_attempts = 3;
     RowScaling scaling = RowScaling::none;
     KMeansOptions k_means;
-    SilhouetteOptions silhouette;
+    /// Of more nodes than this the number is chosen on a seeded sample of so many.
+    std::size_t max_samples = 4000;
 };
 
 struct ChosenClustering {
@@ -57,11 +53,8 @@ struct ChosenClustering {
 
 /// Chooses the number of clusters k by the best mean silhouette of k-means in the first k
 /// eigenvectors (the least such k), then clusters all nodes with it; starts k-means again while the
-/// score stays below the threshold. Above silhouette.max_samples nodes the choice is made on a
-/// seeded sample of so many. Fewer pairs or nodes than min_clusters: one cluster, score 0.
-/// Cost: O(samples^2 * (max_clusters + numbers tried)), for 4,000 samples and 2 to 30 clusters some
-/// 10^9 steps (scaled rows: O(samples^2 * max_clusters^2)), and k-means of the samples for each
-/// number.
+/// score stays below the threshold. Fewer pairs or nodes than min_clusters: one cluster, score 0.
+/// Cost: k-means of the sample for each number.
 [[nodiscard]] ChosenClustering choose_num_clusters(const Eigenpairs& pairs,
                                                    const ChooseOptions& options = {},
                                                    const Executor& executor = {});

@@ -93,8 +93,23 @@ TEST(Cut, TheSilhouetteFindsTheNumberOfRooms) {
     const Graph graph = rooms_in_a_row(5, 6, 6, 0.05);
     StageClock clock;
     PaperOptions options;
+    options.number_by = NumberBy::silhouette;
     options.max_submaps = 10;
     expect_rooms(cut(graph, options, 1, clock), 5);
+}
+
+TEST(Cut, TheEigengapFindsTheNumberOfRooms) {
+    // More than the silhouette is tried for.
+    const Graph graph = rooms_in_a_row(40, 5, 5, 0.05);
+    StageClock clock;
+    const Pieces pieces = cut(graph, {}, 1, clock);
+    expect_partition(graph, pieces);
+    expect_rooms(pieces, 40);
+}
+
+TEST(Cut, ARoomWithoutAGapIsOne) {
+    StageClock clock;
+    EXPECT_EQ(cut(rooms_in_a_row(1, 3, 3, 0.0), {}, 1, clock).count, 1U);
 }
 
 TEST(Cut, EightDisconnectedEqualRoomsAreEight) {

@@ -309,5 +309,24 @@ TEST(Eigensolver, AnImpossibleToleranceIsAnError) {
                  NumericalError);
 }
 
+TEST(Eigensolver, PartOfASpectrumIsThatOfTheWhole) {
+    // 16 pairs of 216 nodes are found by Lanczos steps, all 216 as a dense matrix.
+    const Graph graph = test::floor_graph(test::room_plan(3, 2, 5, test::Doors::open));
+    const std::size_t num_nodes = graph.num_nodes();
+    ASSERT_GT(num_nodes * num_nodes, 700U * 16U);
+    ASSERT_LE(num_nodes, 300U);
+    for (const LaplacianKind kind : {LaplacianKind::degree, LaplacianKind::area}) {
+        const Eigenpairs some = smallest_eigenpairs(graph, kind, 16);
+        const Eigenpairs all = smallest_eigenpairs(graph, kind, num_nodes);
+        ASSERT_EQ(all.size(), num_nodes);
+        for (std::size_t j = 0; j < some.size(); ++j) {
+            EXPECT_NEAR(some.values[j], all.values[j], 1e-8);
+        }
+        const Eigenpairs below =
+            eigenpairs_below(graph, kind, 0.5 * (all.values[9] + all.values[10]), num_nodes);
+        EXPECT_EQ(below.size(), 10U);
+    }
+}
+
 }  // namespace
 }  // namespace quadcut
