@@ -130,6 +130,7 @@ TEST(Follower, PresetPaperIsFollowedScanByScan) {
     const std::vector<Scan> scans = scans_in(small_building(3));
     FollowOptions options;
     options.segment.preset = Preset::paper;
+    options.segment.uncrossed = Uncrossed::kept;
     Follower follower(options);
     OccupancyMap map(options.resolution_m);
     std::size_t num_cuts = 0;

@@ -160,8 +160,10 @@ TEST(Submaps, APartOfARegionGetsTheBordersOfTheWhole) {
     std::vector<std::uint32_t> nodes(192);
     std::iota(nodes.begin(), nodes.end(), 192U);
     StageClock clock;
-    const Submaps all = find_submaps(whole, {}, 1, clock, {});
-    const Submaps part = find_submaps(induced_subgraph(whole, nodes), {}, 1, clock, {});
+    PaperOptions options;
+    options.min_relation_per_m = 0.02;
+    const Submaps all = find_submaps(whole, options, 1, clock, {});
+    const Submaps part = find_submaps(induced_subgraph(whole, nodes), options, 1, clock, {});
     EXPECT_EQ(all.pieces.count, 6U);
     EXPECT_EQ(part.pieces.count, 3U);
 }
@@ -173,6 +175,7 @@ TEST(Submaps, LongSubmapsAreDivided) {
     one.count = 1;
     PaperOptions limits = kLimits;
     limits.max_route_edges = 20;
+    limits.min_relation_per_m = 0.0;
     StageClock clock;
     const Pieces divided = divide_submaps(corridor, one, limits, 1, clock);
     expect_partition(corridor, divided);
