@@ -179,7 +179,7 @@ void same_one(const PaperCase& log, const std::string& rule, Json& rows) {
 }
 
 void drop_slivers(Json& rows) {
-    for (const double min_leaf_m : {0.0, 0.2, 0.4, 0.8}) {
+    for (const double min_leaf_m : {0.4, 0.0}) {
         SegmentOptions options = options_of("").segment;
         options.paper.min_leaf_m = min_leaf_m;
         std::map<std::string, std::pair<double, double>> sums;
@@ -188,8 +188,8 @@ void drop_slivers(Json& rows) {
         const std::vector<DataMap> maps = read_data_maps();
         for (const DataMap& map : maps) {
             const Segmentation rooms = segment(map.map, options);
-            const eval::RoomScore score =
-                eval::score_rooms(as_label_image(rooms.labels), map.truth);
+            const eval::RoomScore score = eval::score_rooms(as_label_image(rooms.labels),
+                                                            as_label_image(as_raster(map.truth)));
             sums[map.kind].first += 100.0 * score.pq;
             sums[map.kind].second += 1.0;
             labelled += 100.0 * score.cover / static_cast<double>(maps.size());
