@@ -440,13 +440,33 @@ def zones(files: dict, old: str) -> str | None:
                       f"{statistics.mean(found):.3f} ({min(found):.2f})", f"{right} of {len(rows)}"])
     return (table(["simulated campuses", "ARI told the number (least)", "ARI by eigengap (least)",
                    "the number right"], lines) + source(files["zones"]))
+def paper(files: dict, old: str) -> str | None:
+    del old
+    if "paper" not in files:
+        return None
+    rows = files["paper"]["rows"]
+    same = {(row["input"], row["rule"]): row for row in rows if row["part"] == "same"}
+    lines = []
+    for row in rows:
+        if row["part"] != "follow":
+            continue
+        other = same.get((row["input"], row["rule"]))
+        lines.append([row["input"], row["rule"], f"{row['pq']:.1f}",
+                      f"{row['rooms']} / {row['batch_rooms']}",
+                      f"{row['nodes_mean']} / {row['nodes_most']} / {row['batch_nodes']}",
+                      f"{row['true_pq_batch']:.1f}" if "true_pq_batch" in row else "",
+                      f"{other['order_pq']:.1f}" if other else "",
+                      f"{other['origin_pq']:.1f}" if other else ""])
+    return (table(["input", "map rule", "followed against the whole map, PQ", "submaps",
+                   "nodes of a cut: mean / most / whole map", "whole map against the truth",
+                   "other order of scans", "other origin"], lines) + source(files["paper"]))
 
 
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
-          "headers": headers, "independence": independence, "zones": zones}
+          "headers": headers, "independence": independence, "zones": zones, "paper": paper}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

@@ -120,7 +120,7 @@ Halves cut_in_half(const Graph& region, const PaperOptions& options, std::uint64
     halves.pieces.piece_of_node = connected_components(region, best.side_of_node);
     halves.pieces.count = 1 + *std::max_element(halves.pieces.piece_of_node.begin(),
                                                 halves.pieces.piece_of_node.end());
-    // Eq. (11): r(s_p, s_q), of the two halves
+    // As relation_per_m() of submaps.
     halves.relation_per_m = best.cut_weight / all.area_m2;
     return halves;
 }

@@ -52,7 +52,7 @@ struct PaperOptions {
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;
     double min_submap_m2 = 4.0;
-    double max_submap_m2 = 200.0;
+    double max_submap_m2 = 300.0;
     std::size_t max_route_edges = 1000;
     double min_relation_per_m = 0.2;
 };

@@ -43,12 +43,16 @@ FollowedMap row_of_rooms(std::int32_t count, std::int32_t fresh) {
     for (std::int32_t number = 1; number <= count; ++number) {
         if (number == fresh) continue;
         const auto id = static_cast<std::uint32_t>(number);
-        for_each_cell(cells_of_room(number), [&](Cell cell) {
+        Box box = cells_of_room(number);
+        // And the door to the next, unless that is new.
+        if (number + 1 != fresh && number != count) box.high.x += kWall;
+        for_each_cell(box, [&](Cell cell) {
+            if (followed.map.state(cell) != CellState::free) return;
             followed.cells.set_room(cell, id);
             followed.cells.set_cut_free(cell, true);
+            ++followed.rooms[id].num_cells;
         });
-        followed.rooms[id].box = cells_of_room(number);
-        followed.rooms[id].num_cells = static_cast<std::size_t>(kRoom) * kRoom;
+        followed.rooms[id].box = box;
     }
     followed.next_id = static_cast<std::uint32_t>(count + 1);
     Changes changes;

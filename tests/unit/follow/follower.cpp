@@ -137,17 +137,18 @@ TEST(Follower, PresetPaperIsFollowedScanByScan) {
     const std::vector<Scan> scans = scans_in(small_building(3));
     FollowOptions options;
     options.segment.preset = Preset::paper;
+    options.segment.uncrossed = Uncrossed::kept;
     Follower follower(options);
     OccupancyMap map(options.resolution_m);
     std::size_t num_cuts = 0;
     for (std::size_t i = 0; i < 30; ++i) {
         const FollowUpdate update = follower.add_scan(scans[i]);
-        integrate_scan(map, scans[i], latest_scan_wins());
+        integrate_scan(map, scans[i]);
         if (update.graph_nodes > 0) ++num_cuts;
         EXPECT_LE(update.graph_nodes, update.num_leaves);
     }
     EXPECT_GT(num_cuts, 1U);
-    EXPECT_EQ(follower.map().to_raster().values, map.to_raster().values) << "one miss clears";
+    EXPECT_EQ(follower.map().to_raster().values, map.to_raster().values) << "one map rule";
     const Segmentation rooms = follower.rooms();
     ASSERT_GT(rooms.rooms.size(), 0U);
     const Raster<CellState> states = follower.map().to_grid().states;
@@ -159,6 +160,55 @@ TEST(Follower, PresetPaperIsFollowedScanByScan) {
         if (rooms.labels.values[i] != 0) ++num_in_rooms;
     }
     EXPECT_GT(10 * num_in_rooms, 8 * num_free);
+}
+
+/// The share of a robot's poses that lie in a room, and the rooms that none lies in.
+std::pair<double, std::size_t> way_in(const Follower& follower, const std::vector<Scan>& scans) {
+    std::set<RoomId> crossed;
+    std::size_t num_in = 0;
+    for (const Scan& scan : scans) {
+        const RoomId room = follower.room_at({scan.world_from_sensor.x, scan.world_from_sensor.y});
+        if (room == RoomId{}) continue;
+        ++num_in;
+        crossed.insert(room);
+    }
+    return {static_cast<double>(num_in) / static_cast<double>(scans.size()),
+            follower.num_rooms() - crossed.size()};
+}
+
+TEST(Follower, SlowARoomOffTheWayIsNoPartOfTheMapInEitherPreset) {
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    for (const Preset preset : {Preset::paper, Preset::rooms}) {
+        FollowOptions options;
+        options.segment.preset = preset;
+        options.segment.uncrossed = Uncrossed::dropped;
+        Follower follower(options);
+        // At each moment; half of the way leaves rooms that were looked into only.
+        for (std::size_t i = 0; i < scans.size() / 2; ++i) follower.add_scan(scans[i]);
+        std::vector<Scan> gone(scans.begin(),
+                               scans.begin() + static_cast<std::ptrdiff_t>(scans.size() / 2));
+        EXPECT_EQ(way_in(follower, gone).second, 0U);
+        for (std::size_t i = scans.size() / 2; i < scans.size(); ++i) follower.add_scan(scans[i]);
+        follower.finish();
+        EXPECT_EQ(way_in(follower, scans).second, 0U);
+        EXPECT_GT(way_in(follower, scans).first, 0.95) << "what it enters becomes a room";
+    }
+}
+
+TEST(Follower, SlowPresetPaperEndsWithTheSubmapsOfItsMap) {
+    const std::vector<Scan> scans = scans_in(small_building(3));
+    FollowOptions options;
+    options.segment.preset = Preset::paper;
+    Follower follower(options);
+    std::vector<Point> way;
+    for (const Scan& scan : scans) {
+        follower.add_scan(scan);
+        way.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
+    }
+    follower.finish();
+    const Segmentation batch = segment(follower.map().to_grid(), options.segment, {}, way);
+    const Segmentation followed = follower.rooms();
+    EXPECT_GT(eval::score_rooms(image_of(followed.labels), image_of(batch.labels)).pq, 0.8);
 }
 
 TEST(Follower, ALoopClosureReplayedWithCorrectedPosesKeepsIds) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/base/random.hpp"
+#include "quadcut/paper/halves.hpp"
 #include "quadcut/paper/submaps.hpp"
 
 namespace quadcut {
@@ -134,6 +135,41 @@ TEST(Submaps, LongestRouteOfAPathAndAGrid) {
     EXPECT_EQ(longest_route_edges(Graph{}), 0U);
 }
 
+TEST(Halves, LieWhereTheNormalisedCutIsLeast) {
+    // Of three rooms in a row, one of the two doors.
+    const Graph graph = rooms_in_a_row(3, 8, 8, 0.1);
+    StageClock clock;
+    const Halves halves = cut_in_half(graph, {}, 1, clock);
+    expect_partition(graph, halves.pieces);
+    ASSERT_EQ(halves.pieces.count, 2U);
+    EXPECT_NEAR(halves.relation_per_m, 0.1 / 192.0, 1e-12);
+}
+
+TEST(Halves, AreNoSmallerThanASubmap) {
+    const Graph graph = rooms_in_a_row(1, 3, 2, 0.0);
+    StageClock clock;
+    PaperOptions options;
+    options.min_submap_m2 = 4.0;
+    EXPECT_EQ(cut_in_half(graph, options, 1, clock).pieces.count, 1U) << "6 m^2";
+    options.min_submap_m2 = 3.0;
+    EXPECT_EQ(cut_in_half(graph, options, 1, clock).pieces.count, 2U);
+    EXPECT_EQ(cut_in_half(Graph{}, options, 1, clock).pieces.count, 0U);
+}
+
+TEST(Submaps, APartOfARegionGetsTheBordersOfTheWhole) {
+    // Six rooms, and the last three of them alone.
+    const Graph whole = rooms_in_a_row(6, 8, 8, 0.1);
+    std::vector<std::uint32_t> nodes(192);
+    std::iota(nodes.begin(), nodes.end(), 192U);
+    StageClock clock;
+    PaperOptions options;
+    options.min_relation_per_m = 0.02;
+    const Submaps all = find_submaps(whole, options, 1, clock, {});
+    const Submaps part = find_submaps(induced_subgraph(whole, nodes), options, 1, clock, {});
+    EXPECT_EQ(all.pieces.count, 6U);
+    EXPECT_EQ(part.pieces.count, 3U);
+}
+
 TEST(Submaps, LongSubmapsAreDivided) {
     const Graph corridor = rooms_in_a_row(1, 64, 2, 0.0);
     Pieces one;
@@ -141,6 +177,7 @@ TEST(Submaps, LongSubmapsAreDivided) {
     one.count = 1;
     PaperOptions limits = kLimits;
     limits.max_route_edges = 20;
+    limits.min_relation_per_m = 0.0;
     StageClock clock;
     const Pieces divided = divide_submaps(corridor, one, limits, 1, clock);
     expect_partition(corridor, divided);

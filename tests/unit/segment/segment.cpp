@@ -138,12 +138,55 @@ TEST(Segment, PaperMakesAsManySubmapsAsAsked) {
     }
 }
 
-TEST(Segment, PaperChoosesTheNumberBySilhouette) {
+TEST(Segment, PaperChoosesTheNumber) {
     const GridMap map = office();
-    const Segmentation result = segment(map, preset(Preset::paper));
-    expect_sound(map, result);
-    EXPECT_GE(result.rooms.size(), 3U);
-    EXPECT_LE(result.rooms.size(), 20U);
+    for (const FirstCut by : {FirstCut::halves, FirstCut::eigengap, FirstCut::silhouette}) {
+        SegmentOptions options = preset(Preset::paper);
+        options.paper.first_cut = by;
+        const Segmentation result = segment(map, options);
+        expect_sound(map, result);
+        EXPECT_GE(result.rooms.size(), 3U);
+        EXPECT_LE(result.rooms.size(), 20U);
+    }
+}
+
+TEST(Segment, PaperDoesNotDependOnWhereTheImageBegins) {
+    const GridMap map = office();
+    GridMap padded = map;
+    const Cell by{37, 21};
+    padded.states = Raster<CellState>({0, 0}, map.states.width + by.x, map.states.height + by.y);
+    for (std::size_t i = 0; i < map.states.values.size(); ++i) {
+        const Cell cell = map.states.cell(i);
+        padded.states.at({cell.x + by.x, cell.y + by.y}) = map.states.values[i];
+    }
+    padded.map_from_image.x -= by.x * map.resolution_m;
+    padded.map_from_image.y -= by.y * map.resolution_m;
+    const Segmentation before = segment(map, preset(Preset::paper));
+    const Segmentation after = segment(padded, preset(Preset::paper));
+    EXPECT_EQ(after.rooms.size(), before.rooms.size());
+    for (std::size_t i = 0; i < before.labels.values.size(); ++i) {
+        const Cell cell = before.labels.cell(i);
+        ASSERT_EQ(after.labels.at({cell.x + by.x, cell.y + by.y}), before.labels.values[i]);
+    }
+}
+
+TEST(Segment, RoomsOffTheWayAreDroppedWhenAsked) {
+    const GridMap map = office();
+    const std::vector<Point> way{{3.0, 7.2}, {9.0, 7.2}, {9.0, 3.0}};
+    SegmentOptions options;
+    const std::size_t all = segment(map, options, {}, way).rooms.size();
+    EXPECT_EQ(all, segment(map).rooms.size()) << "the preset rooms keeps them";
+    options.uncrossed = Uncrossed::dropped;
+    const Segmentation crossed = segment(map, options, {}, way);
+    EXPECT_LT(crossed.rooms.size(), all);
+    std::set<std::uint16_t> labels;
+    for (const Cell cell : visited_cells(map, way)) labels.insert(crossed.labels.at(cell));
+    labels.erase(0);
+    EXPECT_EQ(labels.size(), crossed.rooms.size());
+    EXPECT_EQ(segment(map, options).rooms.size(), all) << "no way is known";
+    options.preset = Preset::paper;
+    options.uncrossed = Uncrossed::kept;
+    EXPECT_EQ(segment(map, options, {}, way).rooms.size(), segment(map, options).rooms.size());
 }
 
 TEST(Segment, PaperDropsSpecks) {
