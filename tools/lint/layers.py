@@ -8,7 +8,7 @@ import re
 from source import SourceFile, Tree
 
 FLOORS = {"base", "map", "spectral"}
-CORE = FLOORS | {"rooms", "paper", "segment", "follow"}
+CORE = FLOORS | {"rooms", "paper", "segment", "route", "follow"}
 
 # Folder -> the folders it may include, itself aside. A new folder gets a line here.
 MAY_INCLUDE = {
@@ -18,6 +18,7 @@ MAY_INCLUDE = {
     "rooms": FLOORS,
     "paper": FLOORS,
     "segment": FLOORS | {"rooms", "paper"},
+    "route": FLOORS | {"segment"},
     "follow": CORE,
     "io": CORE,
     "draw": CORE | {"io"},

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/route/sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace quadcut {
+
+float cells_between(Cell a, Cell b) {
+    const auto x = static_cast<float>(a.x - b.x);
+    const auto y = static_cast<float>(a.y - b.y);
+    return std::sqrt(x * x + y * y);
+}
+
+float Sight::clearance_at(Cell cell) {
+    ++num_cells_;
+    return floor_.clearance_m.contains(cell) ? floor_.clearance_m.at(cell) : 0.0F;
+}
+
+bool Sight::sees(Cell a, Cell b) {
+    const std::int32_t num_steps = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), 1});
+    const double x = static_cast<double>(b.x - a.x) / num_steps;
+    const double y = static_cast<double>(b.y - a.y) / num_steps;
+    const double step_m = std::hypot(x, y) * floor_.resolution_m;
+    for (std::int32_t i = 0; i <= num_steps;) {
+        const Cell cell{a.x + static_cast<std::int32_t>(std::lround(x * i)),
+                        a.y + static_cast<std::int32_t>(std::lround(y * i))};
+        const double spare_m = static_cast<double>(clearance_at(cell) - floor_.radius_m);
+        if (spare_m < 0.0) return false;
+        // From one cell's centre to another's the clearance falls by no more than their distance,
+        // which rounding makes a cell longer at most.
+        const double num_safe = (spare_m - floor_.resolution_m) / std::max(step_m, 1e-9);
+        i += std::max(1, static_cast<std::int32_t>(std::min<double>(num_safe, num_steps)));
+    }
+    return true;
+}
+
+}  // namespace quadcut
