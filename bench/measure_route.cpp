@@ -104,6 +104,11 @@ Measured measure_pairs(RoutePlanner& planner, std::size_t num_pairs) {
                                   route->num_entries_read, by_cells.num_cells_read, end - middle,
                                   middle - begin});
     }
+    if (getenv("WORST"))
+        for (const Pair& p : measured.pairs)
+            if (p.length > 1.03 * p.pulled_length)
+                fprintf(stderr, "%.1f cells %.1f pulled %.1f ratio %.3f\n", p.length,
+                        p.cells_length, p.pulled_length, p.length / p.pulled_length);
     return measured;
 }
 
@@ -144,43 +149,43 @@ Json row_of(const std::string& name, const fs::path& path) {
     const std::vector<double> over_pulled = lengths_over(pairs, &Pair::pulled_length);
     const double cells_read = total(pairs, &Pair::num_cells_of_cells);
     const double cells_ms = total(pairs, &Pair::cells_ms);
-    return {{"input", name},
-            {"cells", num_cells},
-            {"rooms", rooms.rooms.size()},
-            {"pairs", pairs.size()},
-            {"unlike", measured.num_unlike},
-            {"unconnected", measured.num_unconnected},
-            {"mean_length_m", total(pairs, &Pair::length) * map.resolution_m / n},
-            {"length_over_cells", total(pairs, &Pair::length) / total(pairs, &Pair::cells_length)},
-            {"length_over_cells_99", quantile(over_cells, 0.99)},
-            {"length_over_cells_most", over_cells.empty() ? 0.0 : over_cells.back()},
-            {"length_over_pulled",
-             total(pairs, &Pair::length) / total(pairs, &Pair::pulled_length)},
-            {"length_over_pulled_99", quantile(over_pulled, 0.99)},
-            {"length_over_pulled_most", over_pulled.empty() ? 0.0 : over_pulled.back()},
-            {"cells_read", total(pairs, &Pair::num_cells) / n},
-            {"entries_read", total(pairs, &Pair::num_entries) / n},
-            {"cells_read_by_cells", cells_read / n},
-            {"cells_percent", 100.0 * total(pairs, &Pair::num_cells) / cells_read},
-            {"cells_and_entries_percent",
-             100.0 * (total(pairs, &Pair::num_cells) + total(pairs, &Pair::num_entries)) /
-                 cells_read},
-            {"ms", total(pairs, &Pair::ms) / n},
-            {"ms_by_cells", cells_ms / n},
-            {"time_percent", 100.0 * total(pairs, &Pair::ms) / cells_ms},
-            {"segment_ms", begin - before},
-            {"floor_ms", made - begin},
-            {"prepare_ms", prepared - made},
-            {"prepare_over_a_search", (prepared - made) / (cells_ms / n)},
-            {"cells_prepared", planner.num_cells_prepared()},
-            {"mib", static_cast<double>(planner.bytes()) / 1048576.0}};
+    return {
+        {"input", name},
+        {"cells", num_cells},
+        {"rooms", rooms.rooms.size()},
+        {"pairs", pairs.size()},
+        {"unlike", measured.num_unlike},
+        {"unconnected", measured.num_unconnected},
+        {"mean_length_m", total(pairs, &Pair::length) * map.resolution_m / n},
+        {"length_over_cells", total(pairs, &Pair::length) / total(pairs, &Pair::cells_length)},
+        {"length_over_cells_99", quantile(over_cells, 0.99)},
+        {"length_over_cells_most", over_cells.empty() ? 0.0 : over_cells.back()},
+        {"length_over_pulled", total(pairs, &Pair::length) / total(pairs, &Pair::pulled_length)},
+        {"length_over_pulled_99", quantile(over_pulled, 0.99)},
+        {"length_over_pulled_most", over_pulled.empty() ? 0.0 : over_pulled.back()},
+        {"cells_read", total(pairs, &Pair::num_cells) / n},
+        {"entries_read", total(pairs, &Pair::num_entries) / n},
+        {"cells_read_by_cells", cells_read / n},
+        {"cells_percent", 100.0 * total(pairs, &Pair::num_cells) / cells_read},
+        {"cells_and_entries_percent",
+         100.0 * (total(pairs, &Pair::num_cells) + total(pairs, &Pair::num_entries)) / cells_read},
+        {"ms", total(pairs, &Pair::ms) / n},
+        {"ms_by_cells", cells_ms / n},
+        {"time_percent", 100.0 * total(pairs, &Pair::ms) / cells_ms},
+        {"segment_ms", begin - before},
+        {"floor_ms", made - begin},
+        {"prepare_ms", prepared - made},
+        {"prepare_over_a_search", (prepared - made) / (cells_ms / n)},
+        {"cells_prepared", planner.num_cells_prepared()},
+        {"mib", static_cast<double>(planner.bytes()) / 1048576.0}};
 }
 
 int run(int argc, char** argv) {
     const bool has_text = argc > 1 && std::string_view(argv[argc - 1]) != output_path(argc, argv);
     Json rows = Json::array();
     for (const fs::path& path : map_paths(has_text ? argv[argc - 1] : "")) {
-        Json row = row_of(path.parent_path().filename().string() + "/" + path.stem().string(), path);
+        Json row =
+            row_of(path.parent_path().filename().string() + "/" + path.stem().string(), path);
         if (row.empty()) continue;
         result_file::round_numbers(row);
         std::printf("%s\n", row.dump().c_str());

@@ -72,9 +72,8 @@ void put_in_order(std::vector<GateCells>& border) {
         return (cells[0].x - first.x) * (last.x - first.x) +
                (cells[0].y - first.y) * (last.y - first.y);
     };
-    std::stable_sort(
-        border.begin(), border.end(),
-        [&](const GateCells& a, const GateCells& b) { return along(a) < along(b); });
+    std::stable_sort(border.begin(), border.end(),
+                     [&](const GateCells& a, const GateCells& b) { return along(a) < along(b); });
 }
 
 std::vector<std::uint32_t> choose_crossings(const std::vector<GateCells>& border,

@@ -12,9 +12,6 @@
 namespace quadcut {
 namespace {
 
-/// Of the squares that keep one corner each, cells.
-constexpr std::int32_t kMostSide = 4;
-
 constexpr std::int32_t side_x(unsigned bit) { return (bit & 1U) != 0 ? 1 : -1; }
 constexpr std::int32_t side_y(unsigned bit) { return (bit & 2U) != 0 ? 1 : -1; }
 
@@ -82,31 +79,13 @@ void measure_from(std::uint32_t crossing, RoomGraph& graph) {
     }
 }
 
-/// As many as one for each square of so many cells, which no obstacle parts: thinner than the
-/// robot is none.
-std::vector<WayNode> thinned(const std::vector<WayNode>& corners, std::int32_t side) {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
-    std::vector<WayNode> kept;
-    for (const WayNode& corner : corners) {
-        const auto [at, is_new] =
-            places.try_emplace({corner.cell.y / side, corner.cell.x / side}, kept.size());
-        if (is_new) {
-            kept.push_back(corner);
-        } else {
-            kept[at->second].blocked |= corner.blocked;
-        }
-    }
-    return kept;
-}
-
 /// Away from the obstacles' corners, where the robot fits there, too.
 Cell moved_off(const RobotFloor& floor, Cell cell, std::uint8_t blocked) {
     Cell off = cell;
     for (unsigned bit = 0; bit < 4; ++bit) {
         if ((blocked >> bit & 1U) != 0) off = {off.x - side_x(bit), off.y - side_y(bit)};
     }
-    const bool is_same_room =
-        floor.fits(off) && floor.labels.at(off) == floor.labels.at(cell);
+    const bool is_same_room = floor.fits(off) && floor.labels.at(off) == floor.labels.at(cell);
     return is_same_room ? off : cell;
 }
 
@@ -121,13 +100,6 @@ std::vector<std::vector<WayNode>> find_corners(const RobotFloor& floor, std::siz
         corners[floor.labels.at(cell) - std::size_t{1}].push_back(
             {moved_off(floor, cell, blocked), blocked});
     });
-    const auto side = static_cast<std::int32_t>(static_cast<double>(floor.radius_m) /
-                                                floor.resolution_m);
-    if (side > 1) {
-        for (std::vector<WayNode>& of_room : corners) {
-            of_room = thinned(of_room, std::min(side, kMostSide));
-        }
-    }
     return corners;
 }
 

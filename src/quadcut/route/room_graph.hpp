@@ -19,8 +19,7 @@ struct WayNode {
 };
 
 /// The corners of each room, by label - 1: the cells where the robot fits, and fits beside an
-/// obstacle on both sides of its corner; a cell further off where it fits there, too, and of those
-/// that round one corner only some. O(cells).
+/// obstacle on both sides of its corner; a cell further off where it fits there, too. O(cells).
 [[nodiscard]] std::vector<std::vector<WayNode>> find_corners(const RobotFloor& floor,
                                                              std::size_t num_rooms);
 
@@ -47,7 +46,8 @@ struct RoomGraph {
     std::vector<WayNode> nodes;
     std::size_t num_crossings = 0;
     std::size_t first_hub = 0;
-    /// Those of node i, none of them to a hub, are edges[first_edge[i]] .. edges[first_edge[i + 1] - 1].
+    /// Those of node i, none of them to a hub, are edges[first_edge[i]] .. edges[first_edge[i + 1]
+    /// - 1].
     std::vector<std::size_t> first_edge;
     std::vector<Edge> edges;
     /// From crossing c to node i at c * nodes.size() + i, infinite where there is no way, and the

@@ -117,8 +117,8 @@ std::optional<Cell> RoutePlanner::standing_place(const Point& point, double with
 }
 
 Point RoutePlanner::middle_of(Cell cell) const {
-    return transform(frame_.map_from_image, {(cell.x + 0.5) * floor_.resolution_m,
-                                             (cell.y + 0.5) * floor_.resolution_m});
+    return transform(frame_.map_from_image,
+                     {(cell.x + 0.5) * floor_.resolution_m, (cell.y + 0.5) * floor_.resolution_m});
 }
 
 std::optional<Route> RoutePlanner::find(Cell from, Cell to) {

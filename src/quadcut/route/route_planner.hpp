@@ -27,8 +27,9 @@ struct RouteStep {
     RoomId to{};
     /// The place of the door among the doors of the result; none where the border has no door.
     std::optional<std::size_t> door;
-    /// Where the way crosses the border, map frame.
+    /// Where the way crosses the border, map frame, and how far from its start that is.
     Point at;
+    double after_m = 0.0;
 };
 
 /// A way for a robot: straight from point to point, in the map frame.

@@ -48,8 +48,9 @@ std::vector<RouteSearch::Seen> RouteSearch::seen_from(Cell cell, std::size_t roo
     for (const std::uint32_t hub : planner_.hubs_around(cell, room)) {
         ++num_entries_;
         const Cell at = graph.nodes[hub].cell;
-        if (sight_.sees(cell, at)) return {{hub, cells_between(cell, at)}};
+        if (sight_.sees(cell, at)) seen.push_back({hub, cells_between(cell, at)});
     }
+    if (!seen.empty()) return seen;
     for (std::uint32_t i = 0; i < graph.first_hub; ++i) {
         ++num_entries_;
         const Cell at = graph.nodes[i].cell;
@@ -78,8 +79,8 @@ std::vector<Bend> RouteSearch::way_within(const End& from, const End& to) {
     if (sight_.sees(from.cell, to.cell)) return {{from.cell}, {to.cell}};
     const RoomGraph& graph = planner_.graph_of(from.room);
     const auto edges_of = [&graph](std::size_t node) {
-        return std::span(graph.edges).subspan(graph.first_edge[node],
-                                              graph.first_edge[node + 1] - graph.first_edge[node]);
+        return std::span(graph.edges)
+            .subspan(graph.first_edge[node], graph.first_edge[node + 1] - graph.first_edge[node]);
     };
     const std::size_t goal = graph.nodes.size();
     std::vector<float> lengths(goal + 1, kFar);
@@ -162,6 +163,8 @@ std::vector<RouteSearch::Exit> RouteSearch::find_exits(const End& from, const En
             limit = length + to.to_crossing[left.beyond].length;
             last = exit;
         }
+        // Whoever came to this place from within the room goes on from it no longer.
+        if (lengths[first_exit[next] + left.beyond] <= length) continue;
         const RoomGraph& graph = planner_.graph_of(next);
         for (std::size_t i = 0; i < graph.num_crossings; ++i) {
             if (i == left.beyond) continue;
@@ -188,8 +191,7 @@ std::vector<Bend> RouteSearch::bends_of(const std::vector<Exit>& exits, const En
             append(way_back(graph, crossing, from.to_crossing[crossing].node));
         } else {
             const Exit& before = exits[i - 1];
-            const std::size_t entered =
-                planner_.crossings_[before.room][before.crossing].beyond;
+            const std::size_t entered = planner_.crossings_[before.room][before.crossing].beyond;
             std::vector<Bend> leg = way_back(graph, entered, crossing);
             std::reverse(leg.begin(), leg.end());
             append(std::move(leg));
@@ -221,8 +223,9 @@ std::optional<Route> RouteSearch::find(Cell from_cell, Cell to_cell) {
 void RouteSearch::note_step(std::uint16_t label, std::uint16_t next, Cell cell,
                             Route& route) const {
     const std::vector<Room>& rooms = planner_.rooms_.rooms;
+    const Point at = planner_.middle_of(cell);
     RouteStep step{rooms[label - std::size_t{1}].id, rooms[next - std::size_t{1}].id, std::nullopt,
-                   planner_.middle_of(cell)};
+                   at, route.length_m + distance(route.points.back(), at)};
     // Where a border is crossed to and fro the way keeps to one side of it.
     constexpr double kVisitM = 0.5;
     if (!route.steps.empty() && route.steps.back().from == step.to &&
@@ -280,11 +283,11 @@ Route RouteSearch::route_of(const std::vector<Bend>& way) {
     Route route;
     const std::uint16_t label = planner_.floor_.labels.at(way.front().cell);
     route.first_room = planner_.rooms_.rooms[label - std::size_t{1}].id;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-        route.points.push_back(planner_.middle_of(way[i].cell));
-        if (i == 0) continue;
-        route.length_m += distance(route.points[i - 1], route.points[i]);
+    route.points.push_back(planner_.middle_of(way.front().cell));
+    for (std::size_t i = 1; i < way.size(); ++i) {
         note_steps(way[i - 1].cell, way[i].cell, route);
+        route.points.push_back(planner_.middle_of(way[i].cell));
+        route.length_m += distance(route.points[i - 1], route.points[i]);
     }
     route.num_cells_read += sight_.num_cells();
     route.num_entries_read = num_entries_;

@@ -3,10 +3,17 @@
 #include "quadcut/route/sight.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 namespace quadcut {
+namespace {
+
+/// More than the parts that are left of a line of 2^31 cells at any time.
+constexpr std::size_t kMostHalvings = 64;
+
+}  // namespace
 
 float cells_between(Cell a, Cell b) {
     const auto x = static_cast<float>(a.x - b.x);
@@ -24,15 +31,28 @@ bool Sight::sees(Cell a, Cell b) {
     const double x = static_cast<double>(b.x - a.x) / num_steps;
     const double y = static_cast<double>(b.y - a.y) / num_steps;
     const double step_m = std::hypot(x, y) * floor_.resolution_m;
-    for (std::int32_t i = 0; i <= num_steps;) {
-        const Cell cell{a.x + static_cast<std::int32_t>(std::lround(x * i)),
-                        a.y + static_cast<std::int32_t>(std::lround(y * i))};
+    // Middle first, then the middles of what is left on both sides: where something is in the way,
+    // that is found early.
+    struct Part {
+        std::int32_t low;
+        std::int32_t high;
+    };
+    std::array<Part, kMostHalvings> left{{{0, num_steps}}};
+    for (std::size_t num_left = 1; num_left > 0;) {
+        const Part part = left[--num_left];
+        if (part.low > part.high) continue;
+        const std::int32_t middle = (part.low + part.high) / 2;
+        const Cell cell{a.x + static_cast<std::int32_t>(std::lround(x * middle)),
+                        a.y + static_cast<std::int32_t>(std::lround(y * middle))};
         const double spare_m = static_cast<double>(clearance_at(cell) - floor_.radius_m);
         if (spare_m < 0.0) return false;
         // From one cell's centre to another's the clearance falls by no more than their distance,
         // which rounding makes a cell longer at most.
-        const double num_safe = (spare_m - floor_.resolution_m) / std::max(step_m, 1e-9);
-        i += std::max(1, static_cast<std::int32_t>(std::min<double>(num_safe, num_steps)));
+        const double num_safe =
+            std::max(0.0, (spare_m - floor_.resolution_m) / std::max(step_m, 1e-9));
+        const auto safe = static_cast<std::int32_t>(std::min<double>(num_safe, num_steps));
+        left[num_left++] = {part.low, middle - safe - 1};
+        left[num_left++] = {middle + safe + 1, part.high};
     }
     return true;
 }

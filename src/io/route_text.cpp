@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "io/route_text.hpp"
+
+#include <cstddef>
+#include <map>
+
+#include "io/format_version.hpp"
+#include "io/json_writer.hpp"
+#include "io/map_frame.hpp"
+#include "io/number_text.hpp"
+#include "io/room_places.hpp"
+#include "io/room_text.hpp"
+
+namespace quadcut::io {
+namespace {
+
+class RouteWriter {
+public:
+    explicit RouteWriter(const WrittenRoute& written)
+        : written_(written),
+          places_(room_places(written.rooms.rooms)),
+          decimals_(MapFrame(written.frame).decimals()) {}
+
+    [[nodiscard]] std::string text() const {
+        const Route& route = written_.route;
+        const std::size_t num_rooms = route.steps.size() + 1;
+        std::string text = with_decimals(route.length_m, 1) + " m through " +
+                           std::to_string(num_rooms) + (num_rooms == 1 ? " room\n" : " rooms\n");
+        text += room_text(route.first_room) + "\n";
+        for (const RouteStep& step : route.steps) {
+            text += room_text(step.to) + ", after " + with_decimals(step.after_m, 1) + " m" +
+                    door_text(step) + "\n";
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string json() {
+        json_.begin_object(JsonLayout::lines);
+        json_.key("format_version").integer(kFormatVersion);
+        json_.key("frame").text("map");
+        members();
+        json_.key("points");
+        points();
+        return json_.end_object().finish();
+    }
+
+    [[nodiscard]] std::string geojson() {
+        json_.begin_object(JsonLayout::lines).key("type").text("FeatureCollection");
+        json_.key("format_version").integer(kFormatVersion);
+        json_.key("frame").text("map");
+        json_.key("features").begin_array(JsonLayout::lines);
+        json_.begin_object().key("type").text("Feature").key("id").text("route");
+        json_.key("properties").begin_object().key("type").text("route");
+        members();
+        json_.end_object().key("geometry").begin_object().key("type").text("LineString");
+        json_.key("coordinates");
+        points();
+        json_.end_object().end_object();
+        return json_.end_array().end_object().finish();
+    }
+
+private:
+    [[nodiscard]] const Room& room(RoomId id) const { return written_.rooms.rooms[places_.at(id)]; }
+    [[nodiscard]] std::string room_text(RoomId id) const {
+        return std::to_string(index(id)) + " " + name_of(room(id));
+    }
+    [[nodiscard]] std::string door_text(const RouteStep& step) const {
+        if (!step.door) return "";
+        return " by door " + std::to_string(*step.door + 1) + ", " +
+               with_decimals(written_.rooms.doors[*step.door].width_m, 2) + " m wide";
+    }
+
+    void members() {
+        json_.key("robot_width_m").number(written_.robot_width_m);
+        json_.key("length_m").number(written_.route.length_m);
+        json_.key("rooms").begin_array();
+        member(written_.route.first_room);
+        for (const RouteStep& step : written_.route.steps) member(step.to);
+        json_.end_array();
+        json_.key("doors").begin_array();
+        for (const RouteStep& step : written_.route.steps) member(step);
+        json_.end_array();
+    }
+    void member(RoomId id) {
+        json_.begin_object().key("id").integer(index(id));
+        json_.key("name").text(name_of(room(id))).end_object();
+    }
+    /// What has no door keeps its place with null.
+    void member(const RouteStep& step) {
+        json_.begin_object().key("id");
+        if (step.door) {
+            json_.integer(*step.door + 1);
+        } else {
+            json_.null();
+        }
+        json_.key("from").integer(index(step.from));
+        json_.key("to").integer(index(step.to));
+        json_.key("after_m").number(step.after_m);
+        json_.key("x").number(step.at.x, decimals_);
+        json_.key("y").number(step.at.y, decimals_).end_object();
+    }
+
+    void points() {
+        json_.begin_array();
+        for (const Point& at : written_.route.points) {
+            json_.begin_array().number(at.x, decimals_).number(at.y, decimals_).end_array();
+        }
+        json_.end_array();
+    }
+
+    const WrittenRoute& written_;
+    std::map<RoomId, std::size_t> places_;
+    int decimals_;
+    JsonWriter json_;
+};
+
+}  // namespace
+
+std::string route_as_text(const WrittenRoute& written) { return RouteWriter(written).text(); }
+std::string route_as_json(const WrittenRoute& written) { return RouteWriter(written).json(); }
+std::string route_as_geojson(const WrittenRoute& written) { return RouteWriter(written).geojson(); }
+
+}  // namespace quadcut::io

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <string>
+
+#include "quadcut/map/grid_map.hpp"
+#include "quadcut/route/route_planner.hpp"
+#include "quadcut/segment/result.hpp"
+
+namespace quadcut::io {
+
+/// A way and what it leads through, as it is written.
+struct WrittenRoute {
+    const Route& route;
+    const Segmentation& rooms;
+    const GridMap& frame;
+    double robot_width_m = 0.0;
+};
+
+/// For people: how long it is, then the rooms with a line each, and by which door they are entered.
+[[nodiscard]] std::string route_as_text(const WrittenRoute& written);
+/// An object: length_m, rooms, doors and points; metres, map frame.
+[[nodiscard]] std::string route_as_json(const WrittenRoute& written);
+/// A FeatureCollection of one LineString, whose properties are those of route_as_json().
+[[nodiscard]] std::string route_as_geojson(const WrittenRoute& written);
+
+}  // namespace quadcut::io
