@@ -33,13 +33,17 @@ class Sight {
 public:
     explicit Sight(const RobotFloor& floor) : floor_(floor) {}
 
-    /// Whether the robot can go straight from one cell to the other. Both are on the raster.
+    /// Whether the robot can go straight from one cell to the other: it fits in all cells on the
+    /// line, and beside each diagonal step. Both are on the raster.
     [[nodiscard]] bool sees(Cell a, Cell b);
     /// Reads one cell.
     [[nodiscard]] float clearance_at(Cell cell);
     [[nodiscard]] std::size_t num_cells() const { return num_cells_; }
 
 private:
+    /// From a cell to a neighbour, where it fits in both.
+    [[nodiscard]] bool can_step(Cell a, Cell b);
+
     const RobotFloor& floor_;
     std::size_t num_cells_ = 0;
 };
