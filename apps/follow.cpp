@@ -141,6 +141,7 @@ Command follow_command() {
         {"--project", "", "FILE", "keeps all in a project file; goes on from there when it exists"},
         flag_of(fields, "door_width", "M"),
         flag_of(fields, "granularity", "G"),
+        flag_of(fields, "zones", "K|auto"),
         flag_of(fields, "threads", "N"),
         device_flag(),
         set_flag(),

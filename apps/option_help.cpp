@@ -26,8 +26,13 @@ std::string number_text(double value) {
 std::string range_of(const OptionField& field) {
     if (const auto* choice = std::get_if<Choice>(&field.value)) return io::either_of(choice->words);
     const bool is_whole = !std::holds_alternative<double*>(field.value);
-    return (is_whole ? "whole, " : "") + number_text(field.low) + " to " + number_text(field.high) +
-           (field.unit.empty() ? "" : " " + std::string(field.unit));
+    std::string words;
+    if (const auto* counted = std::get_if<CountOrWord>(&field.value)) {
+        for (const auto& [word, value] : counted->words) words += std::string(word) + ", ";
+        words += "or ";
+    }
+    return words + (is_whole ? "whole, " : "") + number_text(field.low) + " to " +
+           number_text(field.high) + (field.unit.empty() ? "" : " " + std::string(field.unit));
 }
 
 std::string facts_of(const OptionField& field) {

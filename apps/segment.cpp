@@ -33,6 +33,8 @@
 #include "quadcut/follow/track.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/submaps.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 namespace {
@@ -109,10 +111,6 @@ void keep_the_number(const Arguments& arguments, const SegmentOptions& options, 
 
 /// What was asked for and plays no part.
 void warn_of_the_ineffective(const SegmentOptions& options, Input& input) {
-    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
-        input.warnings.emplace_back(
-            "--submaps plays no part in the preset rooms; see --preset paper");
-    }
     if (options.preset == Preset::paper && options.with_hierarchy) {
         input.warnings.emplace_back("--hierarchy plays no part in the preset paper");
     }
@@ -161,12 +159,19 @@ std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridM
     return std::move(tracked.events);
 }
 
+void add_zones(const ZoneOptions& options, StageClock& clock, Segmentation& rooms) {
+    if (options.count == kNoZones) return;
+    clock.begin("zones");
+    rooms.zones = find_zones(rooms, options);
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     FollowOptions all_options;
     SegmentOptions& options = all_options.segment;
     RunOptions run_options;
-    set_fields(arguments, option_fields(options, all_options.integrate, run_options));
+    set_fields(arguments,
+               option_fields(options, all_options.zones, all_options.integrate, run_options));
     options.with_hierarchy = arguments.has(kHierarchyFlag);
     const RunDevice device(arguments, run_options.num_threads);
     run_options.accelerator = device.accelerator();
@@ -189,6 +194,10 @@ void run(const Arguments& arguments) {
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(all_options, run_options);
     Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
+    if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
+        rooms = joined_into_submaps(std::move(rooms), options.paper.num_submaps, input.map,
+                                    run_options.executor());
+    }
     if (rooms.rooms.empty()) {
         rooms.report.warnings.push_back(io::why_no_rooms(input.map, options, input.trajectory));
         if (!input.why_no_rooms.empty()) rooms.report.warnings.push_back(input.why_no_rooms);
@@ -197,6 +206,7 @@ void run(const Arguments& arguments) {
         info.previous_colors = previous->legend.colors;
         info.events = recognise(*previous, input.map, clock, rooms);
     }
+    add_zones(all_options.zones, clock, rooms);
     rooms.report.stages_ms = clock.finish();
     rooms.report.warnings.insert(rooms.report.warnings.begin(), input.warnings.begin(),
                                  input.warnings.end());
@@ -217,9 +227,10 @@ void run(const Arguments& arguments) {
 
 Command segment_command() {
     SegmentOptions defaults;
+    ZoneOptions zones;
     IntegrateOptions integrate;
     RunOptions run_options;
-    const std::vector<OptionField> fields = option_fields(defaults, integrate, run_options);
+    const std::vector<OptionField> fields = option_fields(defaults, zones, integrate, run_options);
     CommandForm form;
     form.name = "segment";
     form.text =
@@ -235,6 +246,7 @@ Command segment_command() {
                   flag_of(fields, "granularity", "G"),
                   {std::string(kHierarchyFlag), "", "",
                    "rooms.geojson also gets the regions of all granularities, nested"},
+                  flag_of(fields, "zones", "K|auto"),
                   poses_flag(),
                   {std::string(kPreviousFlag), "", "DIR",
                    "an earlier result of the building: rooms that are the same keep id and name; "

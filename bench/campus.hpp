@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "bench/building_case.hpp"
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/segment/result.hpp"
 #include "sim/building.hpp"
 
 namespace quadcut {
@@ -104,6 +108,40 @@ inline GridMap campus_of(int num_rooms, int draw = 0) {
         }
     }
     return map;
+}
+
+/// Three to eight wings of 12 to 24 rooms, joined by walkways, empty to full, some turned: what
+/// zones are measured on. Another one for each `draw`.
+inline sim::BuildingOptions campus_of_wings(std::size_t draw) {
+    sim::BuildingOptions options;
+    options.seed = kFirstSeed + 2000 + draw;
+    options.furniture = kFurniture[draw % kFurniture.size()];
+    options.yaw_rad = draw % 4 == 3 ? 0.3 : 0.0;
+    options.num_wings = 3 + static_cast<int>(draw % 6);
+    options.num_rooms = options.num_wings * (12 + static_cast<int>(draw * 7 % 13));
+    return options;
+}
+
+/// The wing, from 1 on, that most of each room's cells are in, by place; 0: in none.
+inline std::vector<std::uint32_t> wings_of_rooms(const sim::Building& building,
+                                                 const Segmentation& rooms) {
+    std::vector<std::map<std::uint32_t, std::size_t>> cells(rooms.rooms.size());
+    for (std::size_t i = 0; i < rooms.labels.values.size(); ++i) {
+        const std::uint16_t room = rooms.labels.values[i];
+        const std::uint16_t truth = building.labels.values[i];
+        if (room == 0 || truth == 0) continue;
+        const int wing = building.rooms[truth - std::size_t{1}].wing;
+        ++cells[room - std::size_t{1}][static_cast<std::uint32_t>(wing) + 1];
+    }
+    std::vector<std::uint32_t> wings;
+    for (const auto& counts : cells) {
+        std::pair<std::uint32_t, std::size_t> most{0, 0};
+        for (const auto& count : counts) {
+            if (count.second > most.second) most = count;
+        }
+        wings.push_back(most.first);
+    }
+    return wings;
 }
 
 }  // namespace quadcut

@@ -90,6 +90,20 @@ void draw_cells(const FloorCells& cells, const Executor& executor, FloorPlan& pl
     }
 }
 
+io::Rgb ink_of_zone(std::uint32_t zone) { return kZoneInks[(zone - 1) % kZoneInks.size()]; }
+
+/// With zones, in the tint of its zone.
+DrawnRoom describe_room(const Segmentation& segmentation, std::size_t place, io::Rgb color) {
+    const Room& room = segmentation.rooms[place];
+    std::string kind(io::to_text(room.kind));
+    if (segmentation.zones.count != 0) {
+        const std::uint32_t zone = segmentation.zones.zone_of_room[place];
+        color = io::mixed(color, ink_of_zone(zone), kZoneShare);
+        kind += ", zone " + std::to_string(zone);
+    }
+    return {room.id, color, {}, io::name_of(room), io::area_text(room.area_m2), std::move(kind)};
+}
+
 /// A point of the map frame in cells.
 class CellsFromMap {
 public:
@@ -175,7 +189,7 @@ void add_room_legend(const Layout& layout, FloorPlan& plan) {
 }
 
 /// Beside the scale bar: what is drawn that has no name.
-void add_key(FloorPlan& plan) {
+void add_key(FloorPlan& plan, std::uint32_t num_zones) {
     const Typeface typeface;
     const ScaleBar& bar = plan.scale_bar;
     Point left{bar.text_left().x + typeface.width(bar.text, bar.text_size), bar.origin.y};
@@ -189,6 +203,10 @@ void add_key(FloorPlan& plan) {
         add(kFurnitureInsideInk, kFurnitureInk, "furniture");
     }
     if (!plan.doors.empty()) add(kDoorInk, kPaper, "door");
+    for (std::uint32_t zone = 1; zone <= num_zones; ++zone) {
+        const io::Rgb ink = io::mixed(kPaper, ink_of_zone(zone), kZoneShare);
+        add(ink, io::mixed(ink, kWallInk, kBorderShare), "zone " + std::to_string(zone));
+    }
     const double margin = plan.drawing_origin.x;
     plan.page_width =
         std::max(plan.page_width, static_cast<std::int32_t>(std::ceil(left.x + margin)));
@@ -223,13 +241,7 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
     plan.door_width = 5.0 * layout.unit;
     plan.leader_width = 1.4 * layout.unit;
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
-        const Room& room = segmentation.rooms[i];
-        plan.rooms.push_back({room.id,
-                              colors[i],
-                              {},
-                              io::name_of(room),
-                              io::area_text(room.area_m2),
-                              std::string(io::to_text(room.kind))});
+        plan.rooms.push_back(describe_room(segmentation, i, colors[i]));
     }
     draw_cells(cells, executor, plan);
 
@@ -248,7 +260,9 @@ FloorPlan lay_out_floor_plan(const GridMap& map, const Segmentation& segmentatio
                                executor);
     plan.scale_bar = set_scale_bar(plan, layout, map.resolution_m);
     add_room_legend(layout, plan);
-    add_key(plan);
+    // Of more zones than inks each has its number where it is pointed at.
+    const std::uint32_t num_zones = segmentation.zones.count;
+    add_key(plan, num_zones <= kZoneInks.size() ? num_zones : 0);
     return plan;
 }
 

@@ -102,6 +102,18 @@ inline constexpr io::Rgb kFurnitureInsideInk{0xC6, 0xCB, 0xD0};
 /// A room's border: this much of the wall's ink on its colour; likewise the text of its area.
 inline constexpr double kBorderShare = 0.35;
 inline constexpr double kAreaTextShare = 0.75;
+/// What is a zone's in its rooms' colours, which are those of kZoneInks, in turns.
+inline constexpr double kZoneShare = 0.5;
+inline constexpr std::array<io::Rgb, 10> kZoneInks{{{0x5B, 0x8F, 0xD6},
+                                                    {0xF0, 0xA0, 0x4B},
+                                                    {0x7D, 0xBF, 0x6A},
+                                                    {0xC9, 0x7B, 0xC4},
+                                                    {0xE0, 0x6C, 0x6C},
+                                                    {0x4F, 0xB8, 0xB0},
+                                                    {0xD9, 0xC2, 0x4A},
+                                                    {0x9A, 0x86, 0xD6},
+                                                    {0xA8, 0x8A, 0x66},
+                                                    {0x8F, 0xA3, 0xB5}}};
 /// The dot at the end of a line to a number, of the line's width.
 inline constexpr double kLeaderDot = 2.0;
 /// The white around a door, of the door's width.

@@ -16,6 +16,7 @@
 #include "io/room_places.hpp"
 #include "io/room_text.hpp"
 #include "io/smooth_outline.hpp"
+#include "io/zone_rooms.hpp"
 
 namespace quadcut::formats {
 namespace {
@@ -56,7 +57,7 @@ public:
         : json_(json), frame_(map), decimals_(frame_.decimals()), resolution_m_(map.resolution_m) {}
 
     void room(const Room& room, const std::vector<io::RegionOutline>& parts,
-              const std::set<RoomId>& neighbours, io::Rgb color) {
+              const std::set<RoomId>& neighbours, io::Rgb color, std::uint32_t zone) {
         json_.begin_object().key("type").text("Feature");
         json_.key("id").text("room-" + std::to_string(index(room.id)));
         json_.key("properties").begin_object();
@@ -71,8 +72,25 @@ public:
         json_.key("neighbours").begin_array();
         for (const RoomId neighbour : neighbours) json_.integer(index(neighbour));
         json_.end_array();
+        if (zone != 0) json_.key("zone").integer(zone);
         json_.key("color").text(io::to_hex(color));
         json_.end_object();
+        json_.key("geometry");
+        geometry(parts);
+        json_.end_object();
+    }
+
+    void zone(const io::ZoneRooms& zone, std::size_t number,
+              const std::vector<io::RegionOutline>& parts) {
+        json_.begin_object().key("type").text("Feature");
+        json_.key("id").text("zone-" + std::to_string(number));
+        json_.key("properties").begin_object();
+        json_.key("type").text("zone");
+        json_.key("id").integer(number);
+        json_.key("area_m2").number(zone.area_m2);
+        json_.key("rooms").begin_array();
+        for (const RoomId room : zone.rooms) json_.integer(index(room));
+        json_.end_array().end_object();
         json_.key("geometry");
         geometry(parts);
         json_.end_object();
@@ -174,6 +192,19 @@ std::vector<std::set<std::size_t>> rooms_of_finest(const Segmentation& segmentat
     return rooms;
 }
 
+void write_zones(const Segmentation& segmentation, FeatureWriter& features) {
+    const std::vector<io::ZoneRooms> zones = io::rooms_by_zone(segmentation);
+    if (zones.empty()) return;
+    Raster<std::uint16_t> labels = segmentation.labels;
+    for (std::uint16_t& label : labels.values) {
+        if (label == 0) continue;
+        const std::uint32_t zone = segmentation.zones.zone_of_room[label - std::size_t{1}];
+        label = static_cast<std::uint16_t>(zone);
+    }
+    const auto parts = trace_regions(labels, zones.size());
+    for (std::size_t i = 0; i < zones.size(); ++i) features.zone(zones[i], i + 1, parts[i]);
+}
+
 void write_hierarchy(const Segmentation& segmentation, FeatureWriter& features) {
     const std::vector<std::set<std::size_t>> finest_rooms = rooms_of_finest(segmentation);
     for (const HierarchyLevel& level : segmentation.hierarchy.levels) {
@@ -196,9 +227,10 @@ void write_hierarchy(const Segmentation& segmentation, FeatureWriter& features) 
 /// Rooms and doors as a FeatureCollection in metres of the map frame ("frame": "map" says so), one
 /// feature a line. Rooms are exact: the outlines run along cell edges, so that they have the area
 /// that is given and neighbours meet without gap or overlap; outer rings counter-clockwise, holes
-/// clockwise. A room in several parts is a MultiPolygon. Doors are the lines of the cuts; the
-/// hierarchy's regions follow. `neighbours` are the rooms that touch or share a door; `perimeter_m`
-/// is the length of the outer outline with its stairs smoothed. O(cells).
+/// clockwise. A room in several parts is a MultiPolygon. Doors are the lines of the cuts;
+/// zones, made of rooms, and the hierarchy's regions follow. `neighbours` are the rooms that touch
+/// or share a door; `perimeter_m` is the length of the outer outline with its stairs smoothed.
+/// O(cells).
 std::string to_geojson(const Result& result) {
     const Segmentation& segmentation = result.rooms();
     const std::vector<std::vector<io::RegionOutline>> parts =
@@ -212,11 +244,14 @@ std::string to_geojson(const Result& result) {
     json.key("features").begin_array(io::JsonLayout::lines);
     FeatureWriter features(json, result.map());
     for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
-        features.room(segmentation.rooms[i], parts[i], neighbours[i], result.colors()[i]);
+        const std::uint32_t zone =
+            segmentation.zones.count == 0 ? 0 : segmentation.zones.zone_of_room[i];
+        features.room(segmentation.rooms[i], parts[i], neighbours[i], result.colors()[i], zone);
     }
     for (std::size_t i = 0; i < segmentation.doors.size(); ++i) {
         features.door(segmentation.doors[i], i + 1);
     }
+    write_zones(segmentation, features);
     write_hierarchy(segmentation, features);
     for (const std::string& region : result.info().regions) json.verbatim(region);
     return json.end_array().end_object().finish();

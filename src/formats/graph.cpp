@@ -4,9 +4,24 @@
 #include "io/format_version.hpp"
 #include "io/json_writer.hpp"
 #include "io/room_text.hpp"
+#include "io/zone_rooms.hpp"
 
 namespace quadcut::formats {
 namespace {
+
+void write_zones(io::JsonWriter& json, const Segmentation& segmentation) {
+    json.key("zones").begin_array(io::JsonLayout::lines);
+    std::size_t number = 0;
+    for (const io::ZoneRooms& zone : io::rooms_by_zone(segmentation)) {
+        json.begin_object().key("id").integer(++number).key("area_m2").number(zone.area_m2);
+        json.key("rooms").begin_array();
+        for (const RoomId room : zone.rooms) json.integer(index(room));
+        json.end_array().end_object();
+    }
+    json.end_array().key("zone_eigenvalues").begin_array();
+    for (const double value : segmentation.zones.eigenvalues) json.exact_number(value);
+    json.end_array();
+}
 
 /// The node-link form: nodes have an id and lie at their room's label point, edges have source and
 /// target, two rooms may have several. Metres, map frame.
@@ -18,7 +33,9 @@ std::string to_json(const Segmentation& segmentation) {
     json.key("directed").boolean(false);
     json.key("multigraph").boolean(true);
     json.key("nodes").begin_array(io::JsonLayout::lines);
-    for (const Room& room : segmentation.rooms) {
+    const Zones& zones = segmentation.zones;
+    for (std::size_t i = 0; i < segmentation.rooms.size(); ++i) {
+        const Room& room = segmentation.rooms[i];
         json.begin_object();
         json.key("id").integer(index(room.id));
         json.key("name").text(io::name_of(room));
@@ -26,6 +43,7 @@ std::string to_json(const Segmentation& segmentation) {
         json.key("area_m2").number(room.area_m2);
         json.key("x").number(room.label_point.x);
         json.key("y").number(room.label_point.y);
+        if (zones.count != 0) json.key("zone").integer(zones.zone_of_room[i]);
         json.end_object();
     }
     json.end_array().key("edges").begin_array(io::JsonLayout::lines);
@@ -42,7 +60,9 @@ std::string to_json(const Segmentation& segmentation) {
         json.key("reason").text(io::reason_of(door));
         json.end_object();
     }
-    return json.end_array().end_object().finish();
+    json.end_array();
+    if (zones.count != 0) write_zones(json, segmentation);
+    return json.end_object().finish();
 }
 
 }  // namespace

@@ -36,6 +36,18 @@ void write_numbers(io::JsonWriter& json, const std::vector<double>& values) {
     json.end_array();
 }
 
+/// Nothing when there are none.
+void write_zones(io::JsonWriter& json, const Zones& zones) {
+    if (zones.count == 0) return;
+    const bool is_seen = zones.weights == ZoneWeights::covisibility;
+    json.key("zones").begin_object().key("count").integer(zones.count);
+    json.key("weights").text(is_seen ? "covisibility" : "conductance").key("eigenvalues");
+    write_numbers(json, zones.eigenvalues);
+    json.key("gaps");
+    write_numbers(json, zones.gaps);
+    json.end_object();
+}
+
 /// What was read, with which options, what came out, and how long each stage took; all else is the
 /// same for the same input.
 std::string to_json(const Result& result) {
@@ -69,7 +81,9 @@ std::string to_json(const Result& result) {
         write_numbers(json, cut.residuals);
         json.end_object();
     }
-    json.end_array().key("warnings").begin_array(io::JsonLayout::lines);
+    json.end_array();
+    write_zones(json, result.rooms().zones);
+    json.key("warnings").begin_array(io::JsonLayout::lines);
     for (const std::string& warning : report.warnings) json.text(warning);
     json.end_array();
     if (info.events) {

@@ -38,6 +38,7 @@ Segmentation on_map(const GridMap& map, const Segmentation& segmentation) {
     result.doors = segmentation.doors;
     result.next_id = segmentation.next_id;
     result.report = segmentation.report;
+    result.zones = segmentation.zones;
     result.hierarchy.levels = segmentation.hierarchy.levels;
     if (!result.hierarchy.levels.empty()) {
         result.hierarchy.finest = on_map(map, segmentation.hierarchy.finest);

@@ -91,6 +91,32 @@ void choose(const OptionField& field, const Choice& choice, std::string_view tex
     *choice.value = static_cast<std::uint8_t>(found - choice.words.begin());
 }
 
+std::string text_of(const CountOrWord& count) {
+    for (const auto& [word, value] : count.words) {
+        if (*count.value == value) return std::string(word);
+    }
+    return std::to_string(*count.value);
+}
+
+void set_count_or_word(const OptionField& field, const CountOrWord& count, std::string_view text) {
+    std::vector<std::string_view> words;
+    for (const auto& [word, value] : count.words) {
+        if (text == word) {
+            *count.value = value;
+            return;
+        }
+        words.push_back(word);
+    }
+    const bool is_number = !text.empty() && (text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
+    if (is_number) {
+        *count.value = parse_whole<std::size_t>(field, text);
+    } else {
+        reject(field, text,
+               either_of(words) + ", or a whole number from " + quoted_range(field) +
+                   suggestion(text, words));
+    }
+}
+
 }  // namespace
 
 void set_option(const std::vector<OptionField>& fields, std::string_view name,
@@ -103,6 +129,8 @@ void set_option(const std::vector<OptionField>& fields, std::string_view name,
             **count = parse_whole<std::size_t>(field, text);
         } else if (const auto* whole = std::get_if<int*>(&field.value)) {
             **whole = parse_whole<int>(field, text);
+        } else if (const auto* counted = std::get_if<CountOrWord>(&field.value)) {
+            set_count_or_word(field, *counted, text);
         } else {
             choose(field, std::get<Choice>(field.value), text);
         }
@@ -119,6 +147,7 @@ std::string option_text(const OptionField& field) {
         return std::to_string(**count);
     }
     if (const auto* whole = std::get_if<int*>(&field.value)) return std::to_string(**whole);
+    if (const auto* counted = std::get_if<CountOrWord>(&field.value)) return text_of(*counted);
     const Choice& choice = std::get<Choice>(field.value);
     return std::string(choice.words[*choice.value]);
 }

@@ -49,6 +49,34 @@ std::vector<std::string> region_lines(std::string_view geojson) {
     return regions;
 }
 
+/// Of all rooms, by their features; none unless each has one, as they are numbered.
+Zones parse_zones(const json& file, const json& report, std::span<const Room> rooms) {
+    std::map<RoomId, std::uint32_t> zone_of_room;
+    for (const json& feature : file.value("features", json::array())) {
+        const json properties = feature.is_object() ? feature.value("properties", json()) : json();
+        if (!properties.is_object() || properties.value("type", json()) != "room") continue;
+        const json id = properties.value("id", json());
+        const json zone = properties.value("zone", json());
+        if (!id.is_number_unsigned() || !zone.is_number_unsigned()) return {};
+        zone_of_room[RoomId{id.get<std::uint32_t>()}] = zone.get<std::uint32_t>();
+    }
+    Zones zones;
+    for (const Room& room : rooms) {
+        const auto found = zone_of_room.find(room.id);
+        if (found == zone_of_room.end() || found->second == 0 || found->second > zones.count + 1) {
+            return {};
+        }
+        zones.count = std::max(zones.count, found->second);
+        zones.zone_of_room.push_back(found->second);
+    }
+    const json told = report.is_object() ? report.value("zones", json()) : json();
+    const json values = told.is_object() ? told.value("eigenvalues", json()) : json();
+    for (const json& value : values) {
+        if (value.is_number()) zones.eigenvalues.push_back(value.get<double>());
+    }
+    return zones;
+}
+
 /// What stands at a key of a feature, if it has the type.
 class Feature {
 public:
@@ -128,10 +156,15 @@ StoredResult read_stored_result(const std::filesystem::path& folder) {
     result.regions = region_lines(features);
     const std::filesystem::path report = folder / "report.json";
     std::error_code error;
+    json told;
     if (std::filesystem::exists(report, error)) {
-        const json told = parse(read_file(report), display_name(report));
+        told = parse(read_file(report), display_name(report));
         result.input = text_at(told, "input");
         result.input_hash = text_at(told, "input_hash");
+    }
+    if (features.find(R"("type": "zone")") != std::string::npos) {
+        result.rooms.zones =
+            parse_zones(parse(features, display_name(geojson)), told, result.rooms.rooms);
     }
     return result;
 }

@@ -221,8 +221,8 @@ std::shared_ptr<const Snapshot> Project::Impl::publish() {
     Snapshot::Story story{
         [lines = updates, count = updates->size()] { return lines->between(0, count); },
         [points = way, count = way->size()] { return points->between(0, count); }};
-    auto made = std::make_shared<const Snapshot>(follower.state(), file.options().segment.rooms,
-                                                 run.executor(), std::move(story));
+    auto made = std::make_shared<const Snapshot>(follower.state(), file.options(), run.executor(),
+                                                 std::move(story));
     const std::lock_guard lock(mutex);
     is_wanted = is_new = false;
     return latest = std::move(made);

@@ -78,7 +78,7 @@ RoomId id_of(const Segmentation& rooms, const std::string& name) {
 
 struct Snapshot::Impl {
     std::optional<FollowedMap> followed;
-    RoomsOptions options;
+    FollowOptions options;
     Executor executor;
     Story story;
     std::once_flag has_map;
@@ -92,7 +92,7 @@ Snapshot::Snapshot(GridMap map, Segmentation rooms) : impl_(std::make_unique<Imp
     impl_->rooms = std::move(rooms);
 }
 
-Snapshot::Snapshot(FollowedMap followed, const RoomsOptions& options, const Executor& executor,
+Snapshot::Snapshot(FollowedMap followed, const FollowOptions& options, const Executor& executor,
                    Story story)
     : impl_(std::make_unique<Impl>()) {
     impl_->followed = std::move(followed);
@@ -123,7 +123,8 @@ const GridMap& Snapshot::map() const {
 const Segmentation& Snapshot::rooms() const {
     if (followed()) {
         std::call_once(impl_->has_rooms, [&] {
-            impl_->rooms = result_of(*followed(), impl_->options, impl_->executor);
+            impl_->rooms = result_of(*followed(), impl_->options.segment.rooms, impl_->executor,
+                                     impl_->options.zones);
         });
     }
     return impl_->rooms;

@@ -12,8 +12,8 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/follow/options.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/rooms/options.hpp"
 #include "quadcut/segment/result.hpp"
 
 namespace quadcut {
@@ -41,7 +41,7 @@ public:
     /// A finished map. @pre the rooms are of its cells
     Snapshot(GridMap map, Segmentation rooms);
     /// A followed one; the options and threads are those that it is followed with.
-    Snapshot(FollowedMap followed, const RoomsOptions& options, const Executor& executor,
+    Snapshot(FollowedMap followed, const FollowOptions& options, const Executor& executor,
              Story story);
     Snapshot(const Snapshot&) = delete;
     Snapshot& operator=(const Snapshot&) = delete;

@@ -200,9 +200,10 @@ void Draughtsman::describe() {
     for (std::size_t i = 0; i < plan_.rooms.size(); ++i) {
         const PlanRoom& room = plan_.rooms[i];
         const std::string name = kNames[static_cast<std::size_t>(room.use)];
-        building_.rooms.push_back(
-            {static_cast<RoomId>(i + 1), name + " " + std::to_string(++count_of[name]),
-             kind_of(room.use), static_cast<double>(num_cells[i + 1]) * cell_area, floor_of(room)});
+        building_.rooms.push_back({static_cast<RoomId>(i + 1),
+                                   name + " " + std::to_string(++count_of[name]), kind_of(room.use),
+                                   static_cast<double>(num_cells[i + 1]) * cell_area,
+                                   floor_of(room), 0});
     }
     for (const PlanDoor& door : plan_.doors) {
         const double y = door.opening.center().y;
@@ -246,9 +247,13 @@ Building generate_building(const BuildingOptions& options) {
     check(options.turned_wings >= 0.0 && options.turned_wings <= 1.0,
           "turned_wings: expected 0..1");
     check(std::isfinite(options.yaw_rad), "yaw: expected a finite angle");
-    const Layout layout =
-        draw_layout({options.seed, options.num_rooms, options.turned_wings, options.yaw_rad});
+    check(options.num_wings >= 0 && options.num_wings <= 20, "wings: expected 0..20");
+    const Layout layout = draw_layout({options.seed, options.num_rooms, options.turned_wings,
+                                       options.num_wings, options.yaw_rad});
     Building building = draw_building(layout.plan, options);
+    for (std::size_t i = 0; i < building.rooms.size(); ++i) {
+        building.rooms[i].wing = layout.wing_of_room[i];
+    }
     building.num_turned_wings = layout.num_turned_wings;
     return building;
 }

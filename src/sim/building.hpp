@@ -29,6 +29,9 @@ struct BuildingOptions {
     /// How often a wing is turned by 15 to 40 degrees against the one that it joins, 0..1. Only
     /// buildings of more than about 15 rooms have several wings.
     double turned_wings = 0.5;
+    /// 0: as many wings as the rooms need, each joined to another by its corridor. 2..20: a campus
+    /// of so many, as far as there is space, joined by walkways with a door at either end.
+    int num_wings = 0;
     /// Direction of the whole building.
     double yaw_rad = 0.0;
     /// The share of doors whose leaf stands open in the room, 0..1.
@@ -44,6 +47,8 @@ struct TrueRoom {
     /// Of its cells in `bare_labels`.
     double area_m2 = 0.0;
     std::vector<Polygon> floor;
+    /// From 0; a corridor of several wings counts as of the first.
+    int wing = 0;
 };
 
 /// A door or an open passage. The jambs are the ends of the middle line of the opening, that is

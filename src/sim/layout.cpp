@@ -23,6 +23,8 @@ struct OpenEnd {
 
 // How far the rooms beside a corridor reach from it, at most.
 constexpr double kReach = 7.8;
+constexpr double kWalkwayM = 5.0;
+constexpr double kJointWallM = 0.12;
 
 // A way from an open end to the wing that is to be joined to it.
 struct Joint {
@@ -87,7 +89,9 @@ private:
     std::optional<Candidate> draw_candidate(const Skeleton& skeleton, bool is_turned, int attempt);
     void add_first_wing(double frontage);
     bool add_wing(double frontage);
-    void build_joint(const Candidate& candidate, std::size_t corridor);
+    Rect draw_fire_door(double corridor_m, double y);
+    std::size_t begin_walkway(const Joint& joint, std::size_t corridor, double wall_m);
+    void build_joint(const Candidate& candidate, std::size_t corridor, bool is_walkway);
     void build_wing(const Skeleton& skeleton, const WingStyle& style, const Frame& frame,
                     std::optional<std::size_t> entry, std::size_t entry_room);
     void close_end(const OpenEnd& open);
@@ -145,9 +149,10 @@ std::optional<Candidate> LayoutBuilder::draw_candidate(const Skeleton& skeleton,
     const double turn = !is_turned ? 0.0 : random_.uniform() < 0.5 ? angle : -angle;
     // Far enough that the rows on the inner side of the bend do not meet; farther when crowded.
     const double least = 0.4 + (is_turned ? kReach * std::tan(0.5 * std::abs(turn)) : 0.0);
-    const double slack = random_.uniform(0.0, 1.5 + 0.15 * attempt);
+    const double slack =
+        random_.uniform(0.0, 1.5 + 0.15 * attempt) + (options_.num_wings > 0 ? kWalkwayM : 0.0);
     candidate.joint = draw_joint(open, turn, least + 0.5 * slack, least + 0.5 * slack);
-    candidate.has_fire_door = random_.uniform() < 0.55;
+    candidate.has_fire_door = random_.uniform() < 0.55 || options_.num_wings > 0;
 
     candidate.entry = random_.below(skeleton.ports.size());
     const Frame& port = skeleton.ports[candidate.entry].frame;
@@ -209,6 +214,7 @@ void LayoutBuilder::build_wing(const Skeleton& skeleton, const WingStyle& style,
     for (const Rect& rect : skeleton.footprint) {
         footprint_.push_back(to_polygon(frame, rect));
     }
+    layout_.wing_of_room.resize(plan.rooms.size(), layout_.num_wings);
     ++layout_.num_wings;
 }
 
@@ -221,19 +227,36 @@ void LayoutBuilder::add_first_wing(double frontage) {
     build_wing(skeleton, style, {{0, 0}, {c, s}, {-s, c}}, std::nullopt, 0);
 }
 
+Rect LayoutBuilder::draw_fire_door(double corridor_m, double y) {
+    const double widest = options_.num_wings > 0 ? 1.2 : 1.6;
+    const double width = std::min(corridor_m - 0.3, random_.uniform(0.9, widest));
+    return {-0.5 * width, y, 0.5 * width, y + kJointWallM};
+}
+
+// A corridor of its own behind a fire door.
+std::size_t LayoutBuilder::begin_walkway(const Joint& joint, std::size_t corridor, double wall_m) {
+    Plan& plan = layout_.plan;
+    const std::size_t walkway = plan.rooms.size();
+    plan.doors.push_back(
+        {corridor, walkway, joint.from, draw_fire_door(joint.corridor_m, 0.0), false});
+    plan.rooms.push_back({RoomUse::corridor, {}, {}, wall_m});
+    layout_.wing_of_room.push_back(layout_.wing_of_room[corridor]);
+    return walkway;
+}
+
 // The straight ways and the bend become floor: of the corridor left behind up to the fire door.
-void LayoutBuilder::build_joint(const Candidate& candidate, std::size_t corridor) {
+void LayoutBuilder::build_joint(const Candidate& candidate, std::size_t corridor, bool is_walkway) {
     const Joint& joint = candidate.joint;
     PlanRoom& room = layout_.plan.rooms[corridor];
     const double half = 0.5 * joint.corridor_m;
-    const double wall = candidate.has_fire_door ? 0.12 : 0.0;
-    room.parts.push_back({joint.from, {-half, 0, half, joint.straight_m}});
+    const double begin = is_walkway ? kJointWallM : 0.0;
+    const double wall = candidate.has_fire_door ? kJointWallM : 0.0;
+    room.parts.push_back({joint.from, {-half, begin, half, joint.straight_m}});
     if (const std::optional<Polygon> wedge = wedge_of(joint)) room.wedges.push_back(*wedge);
     room.parts.push_back({joint.bend, {-half, 0, half, joint.after_m - wall}});
     if (!candidate.has_fire_door) return;
-    const double width = std::min(joint.corridor_m - 0.3, random_.uniform(0.9, 1.6));
-    const Rect opening{-0.5 * width, joint.after_m - wall, 0.5 * width, joint.after_m};
-    layout_.plan.doors.push_back({corridor, layout_.plan.rooms.size(), joint.bend, opening, false});
+    layout_.plan.doors.push_back({corridor, layout_.plan.rooms.size(), joint.bend,
+                                  draw_fire_door(joint.corridor_m, joint.after_m - wall), false});
 }
 
 bool LayoutBuilder::add_wing(double frontage) {
@@ -251,9 +274,11 @@ bool LayoutBuilder::add_wing(double frontage) {
         if (!best || candidate->extent < best->extent) best = candidate;
     }
     if (!best) return false;
-    const std::size_t corridor = open_ends_[best->open_end].room;
+    std::size_t corridor = open_ends_[best->open_end].room;
     open_ends_.erase(open_ends_.begin() + static_cast<std::ptrdiff_t>(best->open_end));
-    build_joint(*best, corridor);
+    const bool is_walkway = options_.num_wings > 0;
+    if (is_walkway) corridor = begin_walkway(best->joint, corridor, style.outer_wall_m);
+    build_joint(*best, corridor, is_walkway);
     const double half = 0.5 * best->joint.corridor_m + 0.3;
     footprint_.push_back(to_polygon(best->joint.from, {-half, 0, half, best->joint.straight_m}));
     footprint_.push_back(to_polygon(best->joint.bend, {-half, 0, half, best->joint.after_m}));
@@ -293,6 +318,7 @@ void LayoutBuilder::close_end(const OpenEnd& open) {
     } else {
         units.add_room(lot);
     }
+    layout_.wing_of_room.resize(layout_.plan.rooms.size(), layout_.wing_of_room[open.room]);
     footprint_.push_back(space.front());
 }
 
@@ -308,13 +334,17 @@ Layout LayoutBuilder::build() {
     const auto remaining = [&] {
         return options_.num_rooms - static_cast<int>(layout_.plan.rooms.size());
     };
+    const auto is_more_wanted = [&] {
+        return options_.num_wings > 0 ? layout_.num_wings < options_.num_wings : remaining() > 3;
+    };
     const auto next_size = [&] {
+        if (options_.num_wings > 0) return options_.num_rooms / options_.num_wings;
         const int left = remaining();
         return left <= wing_size * 3 / 2 ? left : wing_size;
     };
     add_first_wing(frontage_for(next_size()));
     int failures = 0;
-    while (remaining() > 3 && failures < 12) {
+    while (is_more_wanted() && failures < 12) {
         if (!add_wing(frontage_for(next_size()))) ++failures;
     }
     for (const OpenEnd& open : open_ends_) {
@@ -333,7 +363,8 @@ Layout draw_layout(const LayoutOptions& options) {
     int best_error = std::numeric_limits<int>::max();
     for (std::uint64_t i = 0; i < kTries && best_error > options.num_rooms / 10; ++i) {
         Layout layout = LayoutBuilder(options, random.fork(i)).build();
-        const int error = std::abs(static_cast<int>(layout.plan.rooms.size()) - options.num_rooms);
+        const int error = std::abs(static_cast<int>(layout.plan.rooms.size()) - options.num_rooms) +
+                          std::max(0, options.num_wings - layout.num_wings) * options.num_rooms;
         if (error >= best_error) continue;
         best_error = error;
         best = std::move(layout);

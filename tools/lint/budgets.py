@@ -14,8 +14,9 @@ WINGS = {
     "rooms": ("base", "map", "spectral", "rooms", "segment"),
     "paper": ("paper",),
     "live": ("follow",),
+    "above": ("zones", "route"),
 }
-MAX_LINES = {"rooms": 7426, "paper": 746, "live": 2881}
+MAX_LINES = {"rooms": 7426, "paper": 746, "live": 2881, "above": 300}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
 """Dependency goes down the page: base <- map, base <- spectral; map + spectral <- rooms | paper, which do
-not see each other; both <- segment <- follow <- everything else."""
+not see each other; both <- segment <- zones, route <- follow <- everything else."""
 
 import re
 
 from source import SourceFile, Tree
 
 FLOORS = {"base", "map", "spectral"}
-CORE = FLOORS | {"rooms", "paper", "segment", "route", "follow"}
+CORE = FLOORS | {"rooms", "paper", "segment", "zones", "route", "follow"}
 
 # Folder -> the folders it may include, itself aside. A new folder gets a line here.
 MAY_INCLUDE = {
@@ -18,6 +18,7 @@ MAY_INCLUDE = {
     "rooms": FLOORS,
     "paper": FLOORS,
     "segment": FLOORS | {"rooms", "paper"},
+    "zones": FLOORS | {"rooms", "segment"},
     "route": FLOORS | {"segment"},
     "follow": CORE,
     "io": CORE,

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
@@ -24,6 +25,12 @@ Choice choice(Enum& value, std::vector<std::string_view> words) {
     return {reinterpret_cast<std::uint8_t*>(&value), std::move(words)};
 }
 
+/// A count, or one of the words that stand for certain values, within the range or not.
+struct CountOrWord {
+    std::size_t* value = nullptr;
+    std::vector<std::pair<std::string_view, std::size_t>> words;
+};
+
 /// What an option decides: the result, or only how the work is done.
 enum class Decides : std::uint8_t { result, run };
 
@@ -40,7 +47,7 @@ struct OptionField {
     std::string_view text;
     /// The equation or item of the paper that it belongs to; may be empty.
     std::string_view source;
-    std::variant<double*, std::size_t*, int*, Choice> value;
+    std::variant<double*, std::size_t*, int*, Choice, CountOrWord> value;
     Decides decides = Decides::result;
 };
 

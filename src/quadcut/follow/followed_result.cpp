@@ -11,11 +11,12 @@
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
 #include "quadcut/rooms/open_space.hpp"
+#include "quadcut/zones/zones.hpp"
 
 namespace quadcut {
 
 Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
-                       const Executor& executor) {
+                       const Executor& executor, const ZoneOptions& zones) {
     const GridMap grid = followed.map.to_grid();
     RoomsInBox known = rooms_in_box(followed, followed.map.to_raster().box());
     const auto count = static_cast<std::uint32_t>(known.rooms.size());
@@ -41,6 +42,7 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
         for (RoomId* side : {&door.a, &door.b}) *side = result.rooms[index(*side) - 1].id;
     }
     result.next_id = followed.next_id;
+    result.zones = find_zones(result, zones);
     return result;
 }
 

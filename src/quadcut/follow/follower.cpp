@@ -164,7 +164,7 @@ std::size_t Follower::num_rooms() const { return state_->rooms.size(); }
 RoomId Follower::room_at(const Point& point) const { return quadcut::room_at(*state_, point); }
 
 Segmentation Follower::rooms() const {
-    return result_of(*state_, options_.segment.rooms, executor_);
+    return result_of(*state_, options_.segment.rooms, executor_, options_.zones);
 }
 
 std::size_t Follower::bytes() const {

@@ -8,6 +8,7 @@ namespace quadcut {
 
 void add_fields(FollowOptions& options, std::vector<OptionField>& fields) {
     add_fields(options.segment, fields);
+    add_fields(options.zones, fields);
     add_fields(options.integrate, fields);
     fields.push_back({"resolution", "m", 0.001, 10.0, "side of a cell", "", &options.resolution_m});
     fields.push_back({"follow.min_change", "m^2", 0.0, 1e6,

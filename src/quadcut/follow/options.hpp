@@ -6,6 +6,7 @@
 
 #include "quadcut/map/integrate_options.hpp"
 #include "quadcut/segment/options.hpp"
+#include "quadcut/zones/options.hpp"
 
 namespace quadcut {
 
@@ -13,6 +14,7 @@ struct OptionField;
 
 struct FollowOptions {
     SegmentOptions segment;
+    ZoneOptions zones;
     /// Preset `paper` takes latest_scan_wins() of it.
     IntegrateOptions integrate;
     double resolution_m = 0.05;

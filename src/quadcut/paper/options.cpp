@@ -7,7 +7,9 @@
 namespace quadcut {
 
 void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
-    fields.push_back({"submaps", "", 0, 2000, "number of submaps; 0: chosen by silhouette",
+    fields.push_back({"submaps", "", 0, 2000,
+                      "number of submaps, in the preset rooms of regions; 0: by silhouette, or as "
+                      "rooms are found",
                       "eq. (5)", &options.num_submaps});
     fields.push_back({"paper.max_submaps", "", 2, 1000,
                       "largest number of submaps that the silhouette is tried for", "eq. (9)",
@@ -18,7 +20,7 @@ void add_fields(PaperOptions& options, std::vector<OptionField>& fields) {
     fields.push_back({"paper.laplacian", "", 0, 0, "normalisation of the Laplacian", "eq. (4)",
                       choice(options.laplacian, {"degree", "unweighted", "area"})});
     fields.push_back({"paper.row_scaling", "", 0, 0, "scaling of the samples before k-means",
-                      "eq. (6)", choice(options.row_scaling, {"none", "unit_length"})});
+                      "eq. (6)", choice(options.row_scaling, {"degree", "none", "unit_length"})});
     fields.push_back({"paper.self_loops", "", 0, 0, "relevance of a node to itself", "rule 1",
                       choice(options.self_loops, {"none", "own_weight", "largest_weight"})});
     fields.push_back({"paper.min_component", "m^2", 0.0, 1e6,

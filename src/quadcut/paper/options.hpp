@@ -30,7 +30,7 @@ struct PaperOptions {
     std::size_t max_submaps = 30;
     double min_silhouette = 0.25;
     LaplacianKind laplacian = LaplacianKind::degree;
-    RowScaling row_scaling = RowScaling::none;
+    RowScaling row_scaling = RowScaling::degree;
     SelfLoops self_loops = SelfLoops::own_weight;
     double min_component_m2 = 1.0;
     double min_leaf_m = 0.4;

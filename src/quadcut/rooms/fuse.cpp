@@ -48,6 +48,10 @@ double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
 }
 
 void Fuser::fuse_below(double min_log_odds) {
+    while (fuse_next_below(min_log_odds)) continue;
+}
+
+bool Fuser::fuse_next_below(double min_log_odds) {
     while (!queue_.empty() && queue_.top().log_odds < min_log_odds) {
         const Candidate top = queue_.top();
         queue_.pop();
@@ -60,7 +64,9 @@ void Fuser::fuse_below(double min_log_odds) {
         regions_.join(heir, a_larger ? top.b : top.a);
         regions_.measure_around(heir, max_width_m_, executor_);
         for (const auto& [other, saddle] : regions_.saddles(heir)) push(heir, other);
+        return true;
     }
+    return false;
 }
 
 void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m) {

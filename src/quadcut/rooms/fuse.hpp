@@ -27,6 +27,8 @@ public:
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
     void fuse_below(double min_log_odds);
+    /// One of these joins; whether there was one to make.
+    bool fuse_next_below(double min_log_odds);
 
 private:
     /// A saddle with the numbers of joins that its two regions had seen when it was measured.

@@ -35,6 +35,19 @@ HierarchyLevel level_of(const RegionGraph& regions, const std::vector<std::uint3
 
 }  // namespace
 
+void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::uint32_t>& labels,
+                    std::span<const Enclosure> enclosures, double min_log_odds, std::size_t least) {
+    std::vector<bool> is_left(regions.num_pieces() + std::size_t{1}, false);
+    for (const std::uint32_t region : labels.values) is_left[region] = true;
+    std::vector<std::uint32_t> finest;
+    for (std::uint32_t region = 1; region < is_left.size(); ++region) {
+        if (is_left[region]) finest.push_back(region);
+    }
+    while (level_of(regions, finest, 0.0, enclosures).num_regions > least) {
+        if (!fuser.fuse_next_below(min_log_odds)) return;
+    }
+}
+
 Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
                           double max_width_m, std::span<const Enclosure> enclosures) {
     std::vector<std::uint32_t> finest;

@@ -12,6 +12,11 @@
 
 namespace quadcut {
 
+/// Fuses regions below the log-odds, as the fuser does, but not into fewer than `least` of those
+/// that `labels` hold. O(joins * regions) beside the fuser's own.
+void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::uint32_t>& labels,
+                    std::span<const Enclosure> enclosures, double min_log_odds, std::size_t least);
+
 /// The levels of granularity 0, 0.1 .. 1, each with the highest one that has the same regions, from
 /// regions that are fused as far as the highest one fuses; `labels` holds their numbers, each
 /// cell's region. The graph is a copy to go on with. Positions are those of `labels`. Throws

@@ -33,7 +33,8 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
 }
 
 /// `cut.rooms` holds the pieces at first. The finest regions are tidied; what they fuse into is
-/// measured before, since `regions` look at the pieces as they were, perhaps in that very raster.
+/// measured before, since `regions` look at the pieces as they were, perhaps in that very raster;
+/// only how many are left of them is known after.
 void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
@@ -44,7 +45,10 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
     std::optional<RegionGraph> finest_regions;
     if (hierarchy != nullptr) finest_regions.emplace(regions);
-    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(options.granularity));
+    const double threshold = fuse_threshold(options.granularity);
+    if (floor.least_rooms == 0) {
+        Fuser(regions, options.door_width_m, executor).fuse_below(threshold);
+    }
     renumber(labels, finest, executor);
     connect_regions(labels, goes_on, executor);
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
@@ -56,6 +60,10 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
                                      adoption.enclosures);
+    }
+    if (floor.least_rooms != 0) {
+        Fuser fuser(regions, options.door_width_m, executor);
+        fuse_to_number(fuser, regions, labels, adoption.enclosures, threshold, floor.least_rooms);
     }
     relabel(regions, labels, adoption.enclosures, executor);
 }
@@ -76,7 +84,7 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     cut.num_pieces = pieces.count;
     clock.begin("graph");
     // A whole map may be so large that there is no room for both.
-    const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr;
+    const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;
     if (keeps_pieces) cut.pieces = cut.rooms;
     RegionGraph regions(keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
                         floor.resolution_m, executor);

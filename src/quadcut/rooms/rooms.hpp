@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -25,6 +26,8 @@ struct FloorToCut {
     /// For a window of a map, where what touches the edge goes on beyond it: says what the pieces
     /// (of RoomsCut) have there.
     std::function<void(const Raster<std::uint32_t>& pieces, RegionGraph& regions)> add_beyond;
+    /// Not to be fused into fewer rooms, as far as there are so many at the highest granularity.
+    std::size_t least_rooms = 0;
 };
 
 struct RoomsCut {

@@ -10,6 +10,7 @@
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/map/room.hpp"
+#include "quadcut/map/zone.hpp"
 #include "quadcut/spectral/pieces.hpp"
 
 namespace quadcut {
@@ -32,6 +33,7 @@ struct Segmentation {
     /// No room of this map has ever had this id or a higher one.
     std::uint32_t next_id = 1;
     Hierarchy hierarchy;
+    Zones zones;
     SegmentReport report;
 };
 

@@ -75,8 +75,9 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     clock.begin("inside");
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
-    RoomsCut cut = cut_into_rooms({std::move(floor.kept), floor.free, map.resolution_m, {}},
-                                  options.rooms, clock, executor, hierarchy);
+    RoomsCut cut = cut_into_rooms(
+        {std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps},
+        options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {

@@ -191,6 +191,7 @@ Eigenpairs solve_and_merge(const Graph& graph, LaplacianKind kind, double limit,
     if (max_count == 0 || !(limit > 0.0)) return pairs;
     const Laplacian whole(graph, kind);
     const double norm = whole.norm_bound();
+    const auto null_vector = whole.null_vector();
     const auto nodes = nodes_by_component(graph);
     const auto solve = [&](const Laplacian& laplacian) {
         return solve_connected(laplacian, limit, max_count, options, executor);
@@ -222,9 +223,11 @@ Eigenpairs solve_and_merge(const Graph& graph, LaplacianKind kind, double limit,
         });
     if (is_as_solved) {
         pairs = std::move(solved[0]);
+        pairs.null_vector.assign(null_vector.begin(), null_vector.end());
         pairs.components.assign(pairs.size(), 0);
         return pairs;
     }
+    pairs.null_vector.assign(null_vector.begin(), null_vector.end());
     pairs.vectors.assign(candidates.size() * pairs.num_nodes, 0.0);
     for (const auto& [rank, component, value, j] : candidates) {
         const auto source = solved[component].vector(j);

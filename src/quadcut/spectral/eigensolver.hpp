@@ -31,6 +31,8 @@ struct Eigenpairs {
     std::vector<double> vectors;
     /// Pair j's connected component, numbered as connected_components() does.
     std::vector<std::uint32_t> components;
+    /// The Laplacian's null_vector(): by node.
+    std::vector<double> null_vector;
     /// |L v - lambda v| of each pair, as measured on what is returned.
     std::vector<double> residuals;
 

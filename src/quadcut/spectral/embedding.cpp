@@ -7,6 +7,15 @@
 #include <limits>
 
 namespace quadcut {
+namespace {
+
+double length_of(std::span<const double> row) {
+    double squared = 0.0;
+    for (const double value : row) squared += value * value;
+    return std::sqrt(squared);
+}
+
+}  // namespace
 
 Embedding embed(const Eigenpairs& pairs, std::size_t num_dims, RowScaling scaling) {
     // Eq. (5): P = [p_1, ..., p_k], the eigenvectors as columns.
@@ -24,10 +33,9 @@ Embedding embed(const Eigenpairs& pairs, std::size_t num_dims, RowScaling scalin
     if (scaling == RowScaling::none) return out;
     for (std::size_t i = 0; i < out.num_samples; ++i) {
         const auto row = std::span(out.values).subspan(i * out.num_dims, out.num_dims);
-        double squared = 0.0;
-        for (const double value : row) squared += value * value;
-        if (squared == 0.0) continue;
-        for (double& value : row) value /= std::sqrt(squared);
+        const double scale = scaling == RowScaling::degree ? pairs.null_vector[i] : length_of(row);
+        if (scale == 0.0) continue;
+        for (double& value : row) value /= scale;
     }
     return out;
 }

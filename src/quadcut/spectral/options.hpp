@@ -19,8 +19,16 @@ enum class LaplacianKind : std::uint8_t {
     area,
 };
 
-/// What is done to the rows of an embedding. `unit_length`: scaled to length 1 (Ng, Jordan, Weiss
-/// 2001); rows of zeros stay.
-enum class RowScaling : std::uint8_t { none, unit_length };
+/// What is done to the rows of an embedding.
+enum class RowScaling : std::uint8_t {
+    /// Divided by the Laplacian's null vector, sqrt(d_i) or sqrt(area_i): so they are the rows of
+    /// the eigenvectors of D^-1 (D - W) (Shi, Malik 2000; von Luxburg 2007), those of a component
+    /// equal in the first.
+    degree,
+    /// As they are.
+    none,
+    /// Scaled to length 1 (Ng, Jordan, Weiss 2001); rows of zeros stay.
+    unit_length,
+};
 
 }  // namespace quadcut
