@@ -93,12 +93,7 @@ Measured measure_pairs(RoutePlanner& planner, std::size_t num_pairs) {
         const double middle = cpu_ms();
         const std::optional<Route> route = planner.find(from, to);
         const double end = cpu_ms();
-        if (by_cells.cells.empty() != !route) {
-            ++measured.num_unlike;
-            std::fprintf(stderr, "unlike: %d,%d to %d,%d: by cells %zu rooms %d %d\n", from.x, from.y, to.x, to.y, by_cells.cells.size(), floor.labels.at(from), floor.labels.at(to));
-            if (route) {std::fprintf(stderr, "route %f points %zu\n", route->length_m, route->points.size());
-              for (auto& q : route->points) fprintf(stderr, "  %.3f %.3f\n", q.x, q.y);}
-        }
+        if (by_cells.cells.empty() != !route) ++measured.num_unlike;
         if (by_cells.cells.empty() || !route) {
             ++measured.num_unconnected;
             continue;
@@ -109,11 +104,6 @@ Measured measure_pairs(RoutePlanner& planner, std::size_t num_pairs) {
                                   route->num_entries_read, by_cells.num_cells_read, end - middle,
                                   middle - begin});
     }
-    if (getenv("WORST"))
-        for (const Pair& p : measured.pairs)
-            if (p.length > 1.03 * p.pulled_length)
-                fprintf(stderr, "%.1f cells %.1f pulled %.1f ratio %.3f\n", p.length,
-                        p.cells_length, p.pulled_length, p.length / p.pulled_length);
     return measured;
 }
 

@@ -3,6 +3,7 @@
 #include "io/route_text.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 
 #include "io/format_version.hpp"
@@ -27,8 +28,12 @@ public:
         const std::size_t num_rooms = route.steps.size() + 1;
         std::string text = with_decimals(route.length_m, 1) + " m through " +
                            std::to_string(num_rooms) + (num_rooms == 1 ? " room\n" : " rooms\n");
-        text += room_text(route.first_room) + "\n";
+        std::uint32_t zone = zone_of(route.first_room);
+        text += zone_text(zone) + room_text(route.first_room) + "\n";
         for (const RouteStep& step : route.steps) {
+            const std::uint32_t next = zone_of(step.to);
+            if (next != zone) text += zone_text(next);
+            zone = next;
             text += room_text(step.to) + ", after " + with_decimals(step.after_m, 1) + " m" +
                     door_text(step) + "\n";
         }
@@ -62,6 +67,14 @@ public:
 
 private:
     [[nodiscard]] const Room& room(RoomId id) const { return written_.rooms.rooms[places_.at(id)]; }
+    /// 0: there are no zones.
+    [[nodiscard]] std::uint32_t zone_of(RoomId id) const {
+        const Zones& zones = written_.rooms.zones;
+        return zones.count == 0 ? 0 : zones.zone_of_room[places_.at(id)];
+    }
+    [[nodiscard]] static std::string zone_text(std::uint32_t zone) {
+        return zone == 0 ? "" : "zone " + std::to_string(zone) + "\n";
+    }
     [[nodiscard]] std::string room_text(RoomId id) const {
         return std::to_string(index(id)) + " " + name_of(room(id));
     }
@@ -84,7 +97,9 @@ private:
     }
     void member(RoomId id) {
         json_.begin_object().key("id").integer(index(id));
-        json_.key("name").text(name_of(room(id))).end_object();
+        json_.key("name").text(name_of(room(id)));
+        if (zone_of(id) != 0) json_.key("zone").integer(zone_of(id));
+        json_.end_object();
     }
     /// What has no door keeps its place with null.
     void member(const RouteStep& step) {

@@ -18,7 +18,8 @@ struct WrittenRoute {
     double robot_width_m = 0.0;
 };
 
-/// For people: how long it is, then the rooms with a line each, and by which door they are entered.
+/// For people: how long it is, then the rooms with a line each, and by which door they are entered;
+/// where there are zones, a line before the first room of each.
 [[nodiscard]] std::string route_as_text(const WrittenRoute& written);
 /// An object: length_m, rooms, doors and points; metres, map frame.
 [[nodiscard]] std::string route_as_json(const WrittenRoute& written);
