@@ -45,8 +45,9 @@ TEST(Route, TakesPointsIdsAndNames) {
     const Outcome by_point =
         run_quadcut({"route", folder / "rooms", point_text(from), point_text(to)});
     EXPECT_EQ(by_point.out, by_id.out);
-    // Its lower left corner lies at y = -2.
-    EXPECT_THAT(point_text(from) + point_text(to), HasSubstr("-"));
+    const Outcome below = run_quadcut({"route", folder / "rooms", "2.5,-0.8", "2"});
+    EXPECT_EQ(below.exit_code, 0) << below.err;
+    EXPECT_EQ(below.err, "");
 }
 
 TEST(Route, WritesGeoJsonAndJson) {

@@ -39,7 +39,7 @@ Cell best_crossing(const Gate& gate, Cell before, Cell after) {
 
 void slide_along_gates(std::vector<Bend>& way, std::span<const Gate> gates, Sight& sight) {
     for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-        if (way[i].gate == Bend::kNoGate) continue;
+        if (way[i].gate == Bend::kNone) continue;
         const Cell before = way[i - 1].cell;
         const Cell after = way[i + 1].cell;
         const Cell best = best_crossing(gates[way[i].gate], before, after);

@@ -11,12 +11,14 @@
 
 namespace quadcut {
 
-/// A point of a way that is being made: a corner, an end, or a crossing of a gate.
+/// A point of a way that is being made: a corner, an end, a hub, or a crossing of a gate.
 struct Bend {
-    static constexpr std::uint32_t kNoGate = ~0U;
+    static constexpr std::uint32_t kNone = ~0U;
 
     Cell cell;
-    std::uint32_t gate = kNoGate;
+    std::uint32_t gate = kNone;
+    /// The node of the hub that it is, in the graph of its room.
+    std::uint32_t hub = kNone;
 };
 
 /// The way pulled straight: it crosses each gate where that is shortest, and what it need not touch

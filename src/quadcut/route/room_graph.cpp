@@ -100,6 +100,10 @@ std::vector<std::vector<WayNode>> find_corners(const RobotFloor& floor, std::siz
         corners[floor.labels.at(cell) - std::size_t{1}].push_back(
             {moved_off(floor, cell, blocked), blocked});
     });
+    for (std::vector<WayNode>& of_room : corners) {
+        std::stable_sort(of_room.begin(), of_room.end(),
+                         [](const WayNode& a, const WayNode& b) { return a.cell.y < b.cell.y; });
+    }
     return corners;
 }
 

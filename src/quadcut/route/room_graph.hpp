@@ -19,7 +19,8 @@ struct WayNode {
 };
 
 /// The corners of each room, by label - 1: the cells where the robot fits, and fits beside an
-/// obstacle on both sides of its corner; a cell further off where it fits there, too. O(cells).
+/// obstacle on both sides of its corner; a cell further off where it fits there, too. Row by row.
+/// O(cells).
 [[nodiscard]] std::vector<std::vector<WayNode>> find_corners(const RobotFloor& floor,
                                                              std::size_t num_rooms);
 

@@ -17,6 +17,9 @@ namespace {
 /// How far a way goes from one look at its rooms to the next.
 constexpr double kStrideM = 0.25;
 
+/// An end of a way looks for so many hubs.
+constexpr std::size_t kMostHubs = 4;
+
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 using QueueEntry = std::pair<float, std::size_t>;
@@ -30,12 +33,18 @@ float length_of(const std::vector<Bend>& way) {
     return length;
 }
 
+Bend bend_at(const RoomGraph& graph, std::size_t node) {
+    const bool is_hub = node >= graph.first_hub;
+    return {graph.nodes[node].cell, Bend::kNone,
+            is_hub ? static_cast<std::uint32_t>(node) : Bend::kNone};
+}
+
 /// The nodes from `node` back to the crossing that the lengths were measured from, both included.
 std::vector<Bend> way_back(const RoomGraph& graph, std::size_t crossing, std::uint32_t node) {
-    std::vector<Bend> way{{graph.nodes[node].cell}};
+    std::vector<Bend> way{bend_at(graph, node)};
     while (node != crossing) {
         node = graph.previous[graph.entry(crossing, node)];
-        way.push_back({graph.nodes[node].cell});
+        way.push_back(bend_at(graph, node));
     }
     return way;
 }
@@ -45,16 +54,29 @@ std::vector<Bend> way_back(const RoomGraph& graph, std::size_t crossing, std::ui
 std::vector<RouteSearch::Seen> RouteSearch::seen_from(Cell cell, std::size_t room) {
     const RoomGraph& graph = planner_.graph_of(room);
     std::vector<Seen> seen;
+    const auto look_at = [&](std::uint32_t node) {
+        ++num_entries_;
+        const WayNode& at = graph.nodes[node];
+        if (!is_taut(at, cell) || !sight_.sees(cell, at.cell)) return false;
+        seen.push_back({node, cells_between(cell, at.cell)});
+        return true;
+    };
+    std::size_t num_hubs = 0;
     for (const std::uint32_t hub : planner_.hubs_around(cell, room)) {
-        ++num_entries_;
-        const Cell at = graph.nodes[hub].cell;
-        if (sight_.sees(cell, at)) seen.push_back({hub, cells_between(cell, at)});
+        if (num_hubs < kMostHubs && look_at(hub)) ++num_hubs;
     }
-    if (!seen.empty()) return seen;
-    for (std::uint32_t i = 0; i < graph.first_hub; ++i) {
-        ++num_entries_;
-        const Cell at = graph.nodes[i].cell;
-        if (sight_.sees(cell, at)) seen.push_back({i, cells_between(cell, at)});
+    if (num_hubs == 0) {
+        for (std::uint32_t i = 0; i < graph.first_hub; ++i) look_at(i);
+        return seen;
+    }
+    // Between things that stand close together a way begins round corners that no hub sees.
+    const auto last = graph.nodes.begin() + static_cast<std::ptrdiff_t>(graph.first_hub);
+    auto node = std::lower_bound(
+        graph.nodes.begin() + static_cast<std::ptrdiff_t>(graph.num_crossings), last,
+        cell.y - kHubTile, [](const WayNode& at, std::int32_t y) { return at.cell.y < y; });
+    for (; node != last && node->cell.y <= cell.y + kHubTile; ++node) {
+        if (std::abs(node->cell.x - cell.x) > kHubTile) continue;
+        look_at(static_cast<std::uint32_t>(node - graph.nodes.begin()));
     }
     return seen;
 }
@@ -114,9 +136,9 @@ std::vector<Bend> RouteSearch::way_within(const End& from, const End& to) {
         }
     }
     if (queue.empty()) return {};
-    std::vector<Bend> way{{to.cell}, {graph.nodes[to_goal[previous[goal]].node].cell}};
+    std::vector<Bend> way{{to.cell}, bend_at(graph, to_goal[previous[goal]].node)};
     for (std::size_t node = previous[goal]; node != goal; node = previous[node]) {
-        way.push_back({graph.nodes[node].cell});
+        way.push_back(bend_at(graph, node));
     }
     way.push_back({from.cell});
     std::reverse(way.begin(), way.end());
@@ -208,6 +230,31 @@ std::vector<Bend> RouteSearch::bends_of(const std::vector<Exit>& exits, const En
     return way;
 }
 
+void RouteSearch::round_corner(std::vector<Bend>& way, std::size_t place, const RoomGraph& graph) {
+    const std::uint32_t hub = way[place].hub;
+    if (hub == Bend::kNone || place == 0 || place + 1 >= way.size()) return;
+    const Cell before = way[place - 1].cell;
+    const Cell after = way[place + 1].cell;
+    if (sight_.sees(before, after)) return;
+    std::vector<Seen> corners;
+    const float longest =
+        cells_between(before, way[place].cell) + cells_between(way[place].cell, after);
+    for (std::size_t i = graph.first_edge[hub]; i < graph.first_edge[hub + 1U]; ++i) {
+        ++num_entries_;
+        const Cell cell = graph.nodes[graph.edges[i].to].cell;
+        const float length = cells_between(before, cell) + cells_between(cell, after);
+        if (length < longest) corners.push_back({graph.edges[i].to, length});
+    }
+    std::sort(corners.begin(), corners.end(),
+              [](const Seen& a, const Seen& b) { return a.length < b.length; });
+    for (const Seen& corner : corners) {
+        const Cell cell = graph.nodes[corner.node].cell;
+        if (!sight_.sees(before, cell) || !sight_.sees(cell, after)) continue;
+        way[place] = {cell};
+        return;
+    }
+}
+
 std::optional<Route> RouteSearch::find(Cell from_cell, Cell to_cell) {
     const End from = look_around(from_cell);
     const End to = look_around(to_cell);
@@ -216,6 +263,8 @@ std::optional<Route> RouteSearch::find(Cell from_cell, Cell to_cell) {
     const std::vector<Exit> exits = find_exits(from, to, length_of(way));
     if (!exits.empty()) way = bends_of(exits, from, to);
     if (way.empty()) return std::nullopt;
+    round_corner(way, 1, planner_.graph_of(from.room));
+    round_corner(way, way.size() - 2, planner_.graph_of(to.room));
     return route_of(pull_straight(std::move(way), planner_.gates_, sight_,
                                   static_cast<double>(planner_.floor_.radius_m)));
 }

@@ -47,6 +47,9 @@ private:
     [[nodiscard]] std::vector<Exit> find_exits(const End& from, const End& to, float limit);
     [[nodiscard]] std::vector<Bend> bends_of(const std::vector<Exit>& exits, const End& from,
                                              const End& to);
+    /// Where there is a hub at a place of the way: goes round a corner instead that it sees, if
+    /// that is shorter.
+    void round_corner(std::vector<Bend>& way, std::size_t place, const RoomGraph& graph);
     [[nodiscard]] Route route_of(const std::vector<Bend>& way);
     void note_steps(Cell from, Cell to, Route& route);
     void note_step(std::uint16_t label, std::uint16_t next, Cell cell, Route& route) const;
