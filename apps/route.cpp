@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "apps/command.hpp"
-#include "apps/message.hpp"
 #include "apps/numbers.hpp"
 #include "apps/route_end.hpp"
 #include "io/nearest_word.hpp"
@@ -28,16 +27,22 @@ constexpr std::string_view kAsFlag = "--as";
 constexpr std::string_view kWidthFlag = "--robot-width";
 constexpr double kWidestM = 10.0;
 
-using RouteText = std::string (*)(const io::WrittenRoute&);
-constexpr std::array<std::pair<std::string_view, RouteText>, 3> kForms{
-    {{"text", io::route_as_text}, {"geojson", io::route_as_geojson}, {"json", io::route_as_json}}};
+/// How a way is written, and that there is none.
+struct RouteForm {
+    std::string_view name;
+    std::string (*route)(const io::WrittenRoute&) = nullptr;
+    std::string (*reason)(const io::WrittenReason&) = nullptr;
+};
+constexpr std::array<RouteForm, 3> kForms{{{"text", io::route_as_text, io::reason_as_text},
+                                           {"geojson", io::route_as_geojson, io::reason_as_geojson},
+                                           {"json", io::route_as_json, io::reason_as_json}}};
 
-RouteText form_of(const Arguments& arguments) {
+const RouteForm& form_of(const Arguments& arguments) {
     const std::string name = arguments.value(kAsFlag).value_or("text");
     std::vector<std::string_view> names;
-    for (const auto& [known, form] : kForms) {
-        if (known == name) return form;
-        names.push_back(known);
+    for (const RouteForm& form : kForms) {
+        if (form.name == name) return form;
+        names.push_back(form.name);
     }
     throw InputError(std::string(kAsFlag) + ": '" + name + "': expected " + io::either_of(names));
 }
@@ -86,7 +91,7 @@ std::string reason_of(const Snapshot& building, const RouteEnd& from, const Rout
 
 int answer(const Arguments& arguments) {
     const std::filesystem::path where = arguments.operands[0];
-    const RouteText write = form_of(arguments);
+    const RouteForm& form = form_of(arguments);
     const double width_m = width_of(arguments);
     const std::shared_ptr<const Snapshot> building = building_at(where, Wanted::rooms_and_doors);
     const RouteEnd from = route_end("FROM", arguments.operands[1], *building);
@@ -95,11 +100,13 @@ int answer(const Arguments& arguments) {
     const std::optional<Route> route = planner.find(standing_place(from, *building, planner),
                                                     standing_place(to, *building, planner));
     if (!route) {
-        print_warnings({"no way for a robot " + metres(width_m) + " wide from " + from.word +
-                        " to " + to.word + ": " + reason_of(*building, from, to, width_m)});
+        const std::string reason = "no way for a robot " + metres(width_m) + " wide from " +
+                                   from.word + " to " + to.word + ": " +
+                                   reason_of(*building, from, to, width_m);
+        std::cout << form.reason({reason, width_m});
         return 1;
     }
-    std::cout << write({*route, building->rooms(), building->map(), width_m});
+    std::cout << form.route({*route, building->rooms(), building->map(), width_m});
     return 0;
 }
 

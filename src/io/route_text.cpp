@@ -136,4 +136,26 @@ std::string route_as_text(const WrittenRoute& written) { return RouteWriter(writ
 std::string route_as_json(const WrittenRoute& written) { return RouteWriter(written).json(); }
 std::string route_as_geojson(const WrittenRoute& written) { return RouteWriter(written).geojson(); }
 
+std::string reason_as_text(const WrittenReason& written) { return written.reason + "\n"; }
+
+std::string reason_as_json(const WrittenReason& written) {
+    JsonWriter json;
+    json.begin_object(JsonLayout::lines);
+    json.key("format_version").integer(kFormatVersion);
+    json.key("frame").text("map");
+    json.key("robot_width_m").number(written.robot_width_m);
+    json.key("length_m").null();
+    json.key("reason").text(written.reason);
+    return json.end_object().finish();
+}
+
+std::string reason_as_geojson(const WrittenReason& written) {
+    JsonWriter json;
+    json.begin_object(JsonLayout::lines).key("type").text("FeatureCollection");
+    json.key("format_version").integer(kFormatVersion);
+    json.key("frame").text("map");
+    json.key("reason").text(written.reason);
+    return json.key("features").begin_array().end_array().end_object().finish();
+}
+
 }  // namespace quadcut::io

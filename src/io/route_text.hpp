@@ -26,4 +26,17 @@ struct WrittenRoute {
 /// A FeatureCollection of one LineString, whose properties are those of route_as_json().
 [[nodiscard]] std::string route_as_geojson(const WrittenRoute& written);
 
+/// The same where there is no way, and why.
+struct WrittenReason {
+    std::string reason;
+    double robot_width_m = 0.0;
+};
+
+/// The reason, a line.
+[[nodiscard]] std::string reason_as_text(const WrittenReason& written);
+/// length_m is null, and there is the reason.
+[[nodiscard]] std::string reason_as_json(const WrittenReason& written);
+/// No feature, but the reason.
+[[nodiscard]] std::string reason_as_geojson(const WrittenReason& written);
+
 }  // namespace quadcut::io

@@ -102,9 +102,15 @@ TEST(Route, SaysWhyThereIsNone) {
     const Outcome outcome =
         run_quadcut({"route", folder / "rooms", "1", "2", "--robot-width", "1.2"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_THAT(outcome.err, HasSubstr("no way for a robot 1.20 m wide from 1 to 2: one of 0."));
-    EXPECT_THAT(outcome.err, HasSubstr("the narrowest door on its way is "));
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, StartsWith("no way for a robot 1.20 m wide from 1 to 2: one of 0."));
+    EXPECT_THAT(outcome.out, HasSubstr("the narrowest door on its way is "));
+    for (const std::string form : {"json", "geojson"}) {
+        const Outcome written = run_quadcut(
+            {"route", folder / "rooms", "1", "2", "--robot-width", "1.2", "--as", form});
+        EXPECT_EQ(written.exit_code, 1);
+        EXPECT_EQ(Json::parse(written.out)["reason"].get<std::string>() + "\n", outcome.out);
+    }
 }
 
 TEST(Route, FromWhereItIsHasNoLength) {
