@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "paper": FLOORS,
     "segment": FLOORS | {"rooms", "paper"},
     "zones": FLOORS | {"rooms", "segment"},
-    "route": FLOORS | {"segment"},
+    "route": {"base", "map", "segment"},
     "follow": CORE,
     "io": CORE,
     "draw": CORE | {"io"},
