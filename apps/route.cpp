@@ -65,19 +65,21 @@ std::string reason_of(const Snapshot& building, const RouteEnd& from, const Rout
     std::optional<Route> way;
     double fits_m = 0.0;
     double most_m = width_m;
-    for (int i = 0; i <= kHalvings; ++i) {
-        const double try_m = i == 0 ? 0.0 : (fits_m + most_m) / 2.0;
+    for (int i = 0; i <= kHalvings + 1; ++i) {
+        const bool is_last = i > kHalvings;
+        const double try_m = i == 0 || is_last ? fits_m : (fits_m + most_m) / 2.0;
         RoutePlanner planner(building.map(), building.rooms(), try_m);
-        const auto found = planner.find(*planner.standing_place(from.point, kWidestM),
-                                        *planner.standing_place(to.point, kWidestM));
-        if (i == 0 && !found) return "no opening leads there from here";
-        if (found) way = found;
-        (found ? fits_m : most_m) = try_m;
+        const Cell begin = *planner.standing_place(from.point, kWidestM);
+        const Cell end = *planner.standing_place(to.point, kWidestM);
+        const bool is_way = planner.is_connected(begin, end);
+        if (i == 0 && !is_way) return "no opening leads there";
+        (is_way ? fits_m : most_m) = try_m;
+        if (is_last) way = planner.find(begin, end);
     }
     std::string reason = "one of " + metres(fits_m) + " gets there";
     const std::vector<Door>& doors = building.rooms().doors;
     std::optional<std::size_t> narrowest;
-    for (const RouteStep& step : way->steps) {
+    for (const RouteStep& step : way ? way->steps : std::vector<RouteStep>{}) {
         if (step.door && (!narrowest || doors[*step.door].width_m < doors[*narrowest].width_m)) {
             narrowest = step.door;
         }

@@ -31,6 +31,10 @@ RoutePlanner::RoutePlanner(const GridMap& frame, const Segmentation& rooms, doub
     : frame_(frame),
       rooms_(rooms),
       floor_(floor_of(rooms.labels, frame.resolution_m, robot_width_m, executor)),
+      parts_(connected_parts(
+          floor_.clearance_m,
+          [this](std::size_t i) { return floor_.clearance_m.values[i] >= floor_.radius_m ? 1 : 0; },
+          Connectivity::four, executor)),
       gates_(find_gates(floor_)),
       crossings_(rooms.rooms.size()),
       corners_(find_corners(floor_, rooms.rooms.size())),
@@ -121,7 +125,17 @@ Point RoutePlanner::middle_of(Cell cell) const {
                      {(cell.x + 0.5) * floor_.resolution_m, (cell.y + 0.5) * floor_.resolution_m});
 }
 
+bool RoutePlanner::is_connected(Cell from, Cell to) const {
+    const Cell origin = floor_.labels.origin;
+    const auto part_of = [&](Cell cell) {
+        return parts_.part_at(static_cast<std::uint32_t>(cell.x - origin.x),
+                              static_cast<std::size_t>(cell.y - origin.y));
+    };
+    return part_of(from) == part_of(to);
+}
+
 std::optional<Route> RoutePlanner::find(Cell from, Cell to) {
+    if (!is_connected(from, to)) return std::nullopt;
     return RouteSearch(*this).find(from, to);
 }
 

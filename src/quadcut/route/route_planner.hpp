@@ -10,6 +10,7 @@
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/ids.hpp"
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/route/gates.hpp"
 #include "quadcut/route/room_graph.hpp"
@@ -65,7 +66,9 @@ public:
     [[nodiscard]] std::optional<Cell> standing_place(const Point& point, double within_m) const;
     /// The middle of a cell, map frame.
     [[nodiscard]] Point middle_of(Cell cell) const;
-    /// None when the robot cannot get there. @pre standing places
+    /// Whether the robot can get from one to the other. O(log). @pre standing places
+    [[nodiscard]] bool is_connected(Cell from, Cell to) const;
+    /// None when it cannot. @pre standing places
     [[nodiscard]] std::optional<Route> find(Cell from, Cell to);
 
     [[nodiscard]] const RobotFloor& floor() const { return floor_; }
@@ -95,6 +98,7 @@ private:
     const GridMap& frame_;
     const Segmentation& rooms_;
     RobotFloor floor_;
+    ConnectedParts parts_;
     std::vector<Gate> gates_;
     /// By room, that is label - 1.
     std::vector<std::vector<Crossing>> crossings_;
