@@ -73,6 +73,20 @@ TEST(Route, WritesGeoJsonAndJson) {
     EXPECT_EQ(json["robot_width_m"], 0.4);
 }
 
+TEST(Route, TellsTheZonesWhereThereAreSome) {
+    const Folder folder;
+    folder.write("map.pgm", office_pgm());
+    const std::string map = folder.write("home.yaml", yaml_for("map.pgm"));
+    ASSERT_EQ(
+        run_quadcut({"segment", map, "-o", folder / "rooms", "--zones", "2", "--quiet"}).exit_code,
+        0);
+    const Outcome text = run_quadcut({"route", folder / "rooms", "1", "2"});
+    EXPECT_THAT(text.out, HasSubstr("\nzone "));
+    const Json json =
+        Json::parse(run_quadcut({"route", folder / "rooms", "1", "2", "--as", "json"}).out);
+    for (const Json& room : json["rooms"]) EXPECT_GE(room["zone"], 1);
+}
+
 TEST(Route, SaysWhatIsWrongWithAnEnd) {
     const Folder folder;
     cut_office(folder);

@@ -16,7 +16,7 @@ WINGS = {
     "live": ("follow",),
     "above": ("zones", "route"),
 }
-MAX_LINES = {"rooms": 7426, "paper": 746, "live": 2881, "above": 1560}
+MAX_LINES = {"rooms": 7426, "paper": 746, "live": 2881, "above": 1590}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
