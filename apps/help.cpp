@@ -22,12 +22,14 @@ constexpr std::size_t kTextColumn = 12;
 constexpr std::array<std::string_view, 3> kPlannedCommands{"serve", "ros2", "batch"};
 
 /// Other words for commands.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kOtherWords{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOtherWords{
     {{"cut", "segment"},
      {"partition", "segment"},
      {"track", "follow"},
      {"watch", "follow"},
      {"where", "locate"},
+     {"path", "route"},
+     {"navigate", "route"},
      {"generate", "simulate"},
      {"evaluate", "score"},
      {"compare", "score"},
@@ -140,10 +142,10 @@ void check_order(std::span<const std::string> words) {
 }  // namespace
 
 std::vector<Command> commands() {
-    return {segment_command(),  map_command(),  follow_command(),    rooms_command(),
-            locate_command(),   edit_command(), export_command(),    score_command(),
-            simulate_command(), demo_command(), reproduce_command(), options_command(),
-            version_command()};
+    return {segment_command(), map_command(),      follow_command(), rooms_command(),
+            locate_command(),  route_command(),    edit_command(),   export_command(),
+            score_command(),   simulate_command(), demo_command(),   reproduce_command(),
+            options_command(), version_command()};
 }
 
 std::string help_text() {
@@ -157,8 +159,8 @@ std::string help_text() {
     }
     return help +
            "\nquadcut COMMAND --help says what a command takes, with examples.\n"
-           "Exit codes: 0 done, 1 locate: the point is in no room, 2 bad input, 3 internal "
-           "error.\n";
+           "Exit codes: 0 done, 1 locate: the point is in no room, route: there is no way, 2 bad "
+           "input, 3 internal error.\n";
 }
 
 Command find_command(std::string_view name) {

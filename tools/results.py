@@ -440,6 +440,8 @@ def zones(files: dict, old: str) -> str | None:
                       f"{statistics.mean(found):.3f} ({min(found):.2f})", f"{right} of {len(rows)}"])
     return (table(["simulated campuses", "ARI told the number (least)", "ARI by eigengap (least)",
                    "the number right"], lines) + source(files["zones"]))
+
+
 def paper(files: dict, old: str) -> str | None:
     del old
     if "paper" not in files:
@@ -462,11 +464,39 @@ def paper(files: dict, old: str) -> str | None:
                    "other order of scans", "other origin"], lines) + source(files["paper"]))
 
 
+def route(files: dict, old: str) -> str | None:
+    del old
+    if "route" not in files:
+        return None
+    lines = [[row["input"], f"{1e-6 * row['cells']:.1f}", str(row["pairs"]), f"{row['mean_length_m']:.0f}",
+              f"{row['length_over_cells']:.3f} ({row['length_over_cells_most']:.2f})",
+              f"{row['length_over_pulled']:.3f} ({row['length_over_pulled_most']:.2f})",
+              f"{row['cells_read_by_cells']:,.0f}", f"{row['cells_read']:,.0f}",
+              f"{row['cells_percent']:.1f} %", f"{row['entries_read']:,.0f}",
+              f"{row['ms_by_cells']:.2f}", f"{row['time_percent']:.1f} %", f"{row['prepare_over_a_search']:,.0f}"]
+             for row in files["route"]["rows"]]
+    return (table(["map", "megacells", "pairs", "mean m", "length over A* (most)", "over A* pulled straight (most)",
+                   "cells read by A*", "by `route`", "share", "entries of graphs", "A* ms", "time",
+                   "all rooms prepared, in searches"], lines) + source(files["route"]))
+
+
+def closure(files: dict, old: str) -> str | None:
+    del old
+    if "closure" not in files:
+        return None
+    lines = [[row["log"], row["range"], f"{row['scans']:,}", str(row["rooms"]), f"{row['pairs_in_range']:,}",
+              f"{row['candidates']:,}", f"{row['saved_percent']:.1f} %", f"{row['true_closures']:,}",
+              f"{row['kept_percent']:.2f} %", f"{row['us_a_pose']:.0f}"] for row in files["closure"]["rows"]]
+    return (table(["log", "range", "scans", "rooms", "pairs in range", "candidates", "saved",
+                   "true closures", "kept", "µs a pose"], lines) + source(files["closure"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
-          "headers": headers, "independence": independence, "zones": zones, "paper": paper}
+          "headers": headers, "independence": independence, "zones": zones, "paper": paper,
+          "route": route, "closure": closure}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

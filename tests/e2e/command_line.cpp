@@ -26,7 +26,7 @@ TEST(CommandLine, HelpListsWhatThereIs) {
     const Outcome outcome = run_quadcut({"help"});
     EXPECT_EQ(outcome.exit_code, 0);
     for (const std::string name :
-         {"segment", "map", "follow", "locate", "edit", "score", "rooms", "export", "simulate",
+         {"segment", "map", "follow", "locate", "route", "edit", "score", "rooms", "export", "simulate",
           "demo", "reproduce", "options", "version"}) {
         EXPECT_NE(outcome.out.find("\n  " + name + " "), std::string::npos) << name;
         const Outcome own = run_quadcut({name, "--help"});

@@ -16,7 +16,7 @@ WINGS = {
     "live": ("follow",),
     "above": ("zones", "route"),
 }
-MAX_LINES = {"rooms": 7799, "paper": 931, "live": 3016, "above": 823}
+MAX_LINES = {"rooms": 7799, "paper": 931, "live": 3016, "above": 2001}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
