@@ -134,12 +134,13 @@ std::int64_t Statement::integer(int column, std::int64_t low, std::int64_t high)
     return value;
 }
 
-double Statement::number(int column) const {
+double Statement::number(int column, double largest) const {
     sqlite3_stmt* const statement = impl_->handle.get();
     const int type = sqlite3_column_type(statement, column);
     const double value = sqlite3_column_double(statement, column);
     const bool is_number = type == SQLITE_FLOAT || type == SQLITE_INTEGER;
     if (!is_number || !std::isfinite(value)) refuse(column, "a finite number");
+    if (std::abs(value) > largest) refuse(column, "a smaller number");
     return value;
 }
 

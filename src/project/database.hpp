@@ -39,8 +39,9 @@ public:
 
     /// Columns of the row, from 0 on.
     [[nodiscard]] std::int64_t integer(int column, std::int64_t low, std::int64_t high) const;
-    /// A finite number.
-    [[nodiscard]] double number(int column) const;
+    /// A finite number, of at most this magnitude.
+    [[nodiscard]] double number(int column,
+                                double largest = std::numeric_limits<double>::max()) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::string bytes(int column) const;
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/file.hpp"
+#include "project/seen_rows.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/follow/check_followed.hpp"
 #include "quadcut/follow/live_doors.hpp"
@@ -17,8 +18,6 @@
 namespace quadcut::project {
 namespace {
 
-/// As OccupancyMap's cells.
-constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 28;
 constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 
 /// A tile whose x is in the given column and whose y is in the next.
@@ -144,30 +143,6 @@ void write_door_lines(const Database& database, const FollowedMap& state) {
             .bind(11, door.room_a_width_m)
             .bind(12, door.room_b_width_m)
             .bind(13, door.confidence)
-            .run();
-    }
-}
-
-/// The robot's way only grows.
-void write_way(const Database& database, const FollowedMap& state) {
-    Statement count(database, "SELECT COUNT(*) FROM way");
-    count.step();
-    Statement insert(database, "INSERT INTO way VALUES(?, ?, ?)");
-    for (auto i = static_cast<std::size_t>(count.integer(0, 0, kMaxCount)); i < state.way.size();
-         ++i) {
-        insert.bind(1, signed_count(i));
-        bind_cell(insert, 2, state.way[i]);
-        insert.run();
-    }
-}
-
-void write_covisibility(const Database& database, const FollowedMap& state) {
-    Statement(database, "DELETE FROM covisibility").run();
-    Statement insert(database, "INSERT INTO covisibility VALUES(?, ?, ?)");
-    for (const auto& [rooms, scans] : state.covisibility.scans) {
-        insert.bind(1, std::int64_t{rooms.first})
-            .bind(2, std::int64_t{rooms.second})
-            .bind(3, scans)
             .run();
     }
 }
@@ -323,17 +298,6 @@ void read_door_lines(const Database& database, FollowedMap& state) {
     }
 }
 
-void read_covisibility(const Database& database, FollowedMap& state) {
-    if (!has_table(database, "covisibility")) return;
-    Statement row(database,
-                  "SELECT room_a, room_b, scans FROM covisibility ORDER BY room_a, room_b");
-    while (row.step()) {
-        const std::pair rooms(static_cast<std::uint32_t>(row.integer(0, 1, kMaxRoom)),
-                              static_cast<std::uint32_t>(row.integer(1, 1, kMaxRoom)));
-        state.covisibility.scans[rooms] = row.number(2);
-    }
-}
-
 void read_lists(const Database& database, FollowedMap& state) {
     Statement door(database, "SELECT ax, ay, bx, by, clearance_m FROM doors ORDER BY seq");
     while (door.step()) {
@@ -358,13 +322,6 @@ void read_lists(const Database& database, FollowedMap& state) {
     while (split.step()) state.split_lines.push_back({cell_at(split, 0), cell_at(split, 2)});
 }
 
-void read_way(const Database& database, FollowedMap& state) {
-    Statement table(database, "SELECT 1 FROM sqlite_master WHERE name = 'way'");
-    if (!table.step()) return;
-    Statement row(database, "SELECT x, y FROM way ORDER BY seq");
-    while (row.step()) state.way.push_back(cell_at(row, 0));
-}
-
 }  // namespace
 
 void bind_cell(Statement& statement, int place, Cell cell) {
@@ -385,7 +342,6 @@ void write_state(const Database& database, const FollowedMap& state, std::span<c
     write_rooms(database, state);
     write_doors(database, state);
     write_door_lines(database, state);
-    write_way(database, state);
     write_covisibility(database, state);
     write_rest(database, state);
 }

@@ -13,6 +13,8 @@
 namespace quadcut::project {
 
 inline constexpr std::int64_t kMaxRoom = 0xfffffffe;
+/// As OccupancyMap's cells.
+inline constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 28;
 
 /// A cell whose x is in the given column and whose y is in the next.
 [[nodiscard]] Cell cell_at(const Statement& row, int column);

@@ -7,7 +7,7 @@
 namespace quadcut::project {
 
 std::span<const Table> tables() {
-    static constexpr std::array<Table, 19> kTables{{
+    static constexpr std::array<Table, 18> kTables{{
         {"changes", "CREATE TABLE changes(x INTEGER, y INTEGER, cells INTEGER)"},
         {"covisibility",
          "CREATE TABLE covisibility(room_a INTEGER, room_b INTEGER, scans REAL, "
@@ -54,7 +54,6 @@ std::span<const Table> tables() {
          "locked INTEGER)",
          2},
         {"updates", "CREATE TABLE updates(seq INTEGER PRIMARY KEY, line TEXT)"},
-        {"way", "CREATE TABLE way(seq INTEGER PRIMARY KEY, x INTEGER, y INTEGER)", 4},
     }};
     return kTables;
 }

@@ -87,6 +87,7 @@ TEST(ProjectFile, RowsThatCannotBeAreRefused) {
                                   "INSERT OR REPLACE INTO covisibility VALUES(2, 1, 1.0)",
                                   "INSERT OR REPLACE INTO covisibility VALUES(1, 1, -1.0)",
                                   "INSERT INTO poses VALUES(1000, 'here', 0, 0)",
+                                  "INSERT INTO poses VALUES(1000, 0, 1e30, 0)",
                                   "INSERT INTO split_lines VALUES(1, 0, 0, 100000000, 0)"}) {
         io::write_file_atomically(path, good);
         Database(path, Access::write).run(sql);
