@@ -19,7 +19,7 @@ struct RoomsOptions {
     double door_width_m = 4.0;
     double min_component_m2 = 4.0;
     double max_furniture_m2 = 0.3;
-    PieceSource pieces = PieceSource::basins;
+    PieceSource pieces = PieceSource::spectral;
     double min_room_m2 = 1.5;
     double min_passable_m = 0.4;
 };
