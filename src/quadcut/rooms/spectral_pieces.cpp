@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadcut/base/error.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "quadcut/spectral/embedding.hpp"
 #include "quadcut/spectral/pivoted_qr.hpp"
@@ -47,6 +48,18 @@ double area_m2(const Graph& graph) {
     return std::accumulate(graph.area_m2.begin(), graph.area_m2.end(), 0.0);
 }
 
+/// Eigenpairs below the limit. None where the eigensolver fails its checks: rooms are to be had of
+/// basins alone.
+Eigenpairs smooth_pairs(const Graph& graph, const Executor& executor) {
+    try {
+        // Eq. (4): L, normalised by area: so eigenvalues have a unit, and their limit is a size.
+        return eigenpairs_below(graph, LaplacianKind::area, kMaxEigenvaluePerM2, kMaxPairs, {},
+                                executor);
+    } catch (const NumericalError&) {
+        return {};
+    }
+}
+
 void add_piece(const Part& part, Pieces& pieces) {
     for (const std::uint32_t node : part.nodes) pieces.piece_of_node[node] = pieces.count;
     ++pieces.count;
@@ -67,9 +80,11 @@ Pieces cut_spectrally(const Graph& graph, double min_area_m2, const Executor& ex
             add_piece(part, pieces);
             continue;
         }
-        // Eq. (4): L, normalised by area: so eigenvalues have a unit, and their limit is a size.
-        const Eigenpairs pairs = eigenpairs_below(part.graph, LaplacianKind::area,
-                                                  kMaxEigenvaluePerM2, kMaxPairs, {}, executor);
+        const Eigenpairs pairs = smooth_pairs(part.graph, executor);
+        if (pairs.size() == 0) {
+            for (const std::uint32_t node : part.nodes) add_piece({{}, {node}}, pieces);
+            continue;
+        }
         pieces.eigen.push_back({pairs.num_nodes, pairs.values, pairs.residuals});
         // Eq. (5): they are the columns of P.
         // Eq. (6): its rows are clustered.
