@@ -112,7 +112,7 @@ TEST(SegmentFiles, ReportSaysWhatWasDone) {
     for (const auto& [stage, ms] : report.at("stages_ms").items()) sum_ms += ms.get<double>();
     EXPECT_GT(sum_ms, 0.0);
     EXPECT_GT(report.at("stages_ms").at("fuse").get<double>(), 0.0);
-    EXPECT_EQ(report.at("stages_ms").at("eigen").get<double>(), 0.0) << "basins need none";
+    EXPECT_GT(report.at("stages_ms").at("eigen").get<double>(), 0.0);
     EXPECT_GT(report.at("num_leaves"), 0);
     EXPECT_GT(report.at("num_edges"), 0);
     EXPECT_EQ(report.at("options").at("door_width"), 3.5);
