@@ -26,8 +26,8 @@ TEST(CommandLine, HelpListsWhatThereIs) {
     const Outcome outcome = run_quadcut({"help"});
     EXPECT_EQ(outcome.exit_code, 0);
     for (const std::string name :
-         {"segment", "map", "follow", "locate", "route", "edit", "score", "rooms", "export", "simulate",
-          "demo", "reproduce", "options", "version"}) {
+         {"segment", "map", "follow", "locate", "route", "edit", "score", "rooms", "export",
+          "simulate", "demo", "reproduce", "options", "version"}) {
         EXPECT_NE(outcome.out.find("\n  " + name + " "), std::string::npos) << name;
         const Outcome own = run_quadcut({name, "--help"});
         EXPECT_EQ(own.exit_code, 0);

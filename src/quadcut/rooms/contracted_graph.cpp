@@ -9,9 +9,9 @@
 namespace quadcut {
 namespace {
 
-// Departs from the paper: the sum of eq. (2) over the leaves at a border says how long it is, not how
-// open. Where it joins as many basins it puts up to five times as much floor into the wrong room
-// (docs/decisions/0019-spectral-pieces.md).
+// Departs from the paper: the sum of eq. (2) over the leaves at a border says how long it is, not
+// how open. Where it joins as many basins it puts up to five times as much floor into the wrong
+// room (docs/decisions/0019-spectral-pieces.md).
 double weight(const RegionGraph& regions, std::uint32_t a, std::uint32_t b, const Saddle& saddle) {
     const Point p = regions.centroid(a);
     const Point q = regions.centroid(b);
