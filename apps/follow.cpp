@@ -91,6 +91,11 @@ void run(const Arguments& arguments) {
     io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
     info.input_hash = facts.content_hash;
+    if (options.segment.preset == Preset::rooms && options.segment.paper.num_submaps != 0) {
+        print_warnings(
+            {"submaps plays no part while following in the preset rooms: "
+             "'quadcut segment --submaps' cuts the whole map into so many"});
+    }
     Project project = begin_project(arguments, options, run_options, facts);
     Pace pace(play.speed, machine_clock());
     io::skip_to(*source, project.position()->num_done);

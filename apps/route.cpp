@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "apps/command.hpp"
+#include "apps/map_of_result.hpp"
+#include "apps/message.hpp"
 #include "apps/numbers.hpp"
 #include "apps/route_end.hpp"
 #include "io/nearest_word.hpp"
@@ -56,11 +58,24 @@ double width_of(const Arguments& arguments) {
                      "': expected metres, more than 0 and at most " + io::rounded(kWidestM));
 }
 
+/// The building's map; that of a folder of results is the one that was cut.
+GridMap map_of(const std::filesystem::path& where, const Snapshot& building) {
+    if (room_place_of(where) == RoomPlace::project) return building.map();
+    try {
+        io::MapFile file = map_of_result(where, io::read_stored_result(where), std::nullopt);
+        print_warnings(file.warnings);
+        return std::move(file.map);
+    } catch (const InputError& error) {
+        print_warnings({std::string(error.what()) + "; the way heeds no furniture within rooms"});
+        return building.map();
+    }
+}
+
 std::string metres(double value) { return io::with_decimals(value, 2) + " m"; }
 
 /// Why there is no way for the robot: there is none at all, or it is too wide for one.
-std::string reason_of(const Snapshot& building, const RouteEnd& from, const RouteEnd& to,
-                      double width_m) {
+std::string reason_of(const GridMap& map, const Segmentation& rooms, const RouteEnd& from,
+                      const RouteEnd& to, double width_m) {
     constexpr int kHalvings = 6;
     std::optional<Route> way;
     double fits_m = 0.0;
@@ -68,7 +83,7 @@ std::string reason_of(const Snapshot& building, const RouteEnd& from, const Rout
     for (int i = 0; i <= kHalvings + 1; ++i) {
         const bool is_last = i > kHalvings;
         const double try_m = i == 0 || is_last ? fits_m : (fits_m + most_m) / 2.0;
-        RoutePlanner planner(building.map(), building.rooms(), try_m);
+        RoutePlanner planner(map, rooms, try_m);
         const Cell begin = *planner.standing_place(from.point, kWidestM);
         const Cell end = *planner.standing_place(to.point, kWidestM);
         const bool is_way = planner.is_connected(begin, end);
@@ -77,7 +92,7 @@ std::string reason_of(const Snapshot& building, const RouteEnd& from, const Rout
         if (is_last) way = planner.find(begin, end);
     }
     std::string reason = "one of " + metres(fits_m) + " gets there";
-    const std::vector<Door>& doors = building.rooms().doors;
+    const std::vector<Door>& doors = rooms.doors;
     std::optional<std::size_t> narrowest;
     for (const RouteStep& step : way ? way->steps : std::vector<RouteStep>{}) {
         if (step.door && (!narrowest || doors[*step.door].width_m < doors[*narrowest].width_m)) {
@@ -98,17 +113,18 @@ int answer(const Arguments& arguments) {
     const std::shared_ptr<const Snapshot> building = building_at(where, Wanted::rooms_and_doors);
     const RouteEnd from = route_end("FROM", arguments.operands[1], *building);
     const RouteEnd to = route_end("TO", arguments.operands[2], *building);
-    RoutePlanner planner(building->map(), building->rooms(), width_m);
+    const GridMap map = map_of(where, *building);
+    RoutePlanner planner(map, building->rooms(), width_m);
     const std::optional<Route> route = planner.find(standing_place(from, *building, planner),
                                                     standing_place(to, *building, planner));
     if (!route) {
         const std::string reason = "no way for a robot " + metres(width_m) + " wide from " +
                                    from.word + " to " + to.word + ": " +
-                                   reason_of(*building, from, to, width_m);
+                                   reason_of(map, building->rooms(), from, to, width_m);
         std::cout << form.reason({reason, width_m});
         return 1;
     }
-    std::cout << form.route({*route, building->rooms(), building->map(), width_m});
+    std::cout << form.route({*route, building->rooms(), map, width_m});
     return 0;
 }
 

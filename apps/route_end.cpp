@@ -21,13 +21,15 @@ namespace quadcut {
 namespace {
 
 constexpr double kMostMovedM = 0.5;
+/// No map reaches so far.
+constexpr double kFarthestM = 1e9;
 
 std::optional<double> as_number(std::string_view word) {
     while (word.starts_with(' ')) word.remove_prefix(1);
     double value = 0.0;
     const auto [read, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool is_number =
-        error == std::errc() && read == word.data() + word.size() && std::isfinite(value);
+        error == std::errc() && read == word.data() + word.size() && std::abs(value) <= kFarthestM;
     return is_number ? std::optional(value) : std::nullopt;
 }
 
@@ -49,6 +51,9 @@ std::string ids_text(const std::vector<const Room*>& rooms) {
 const Room& find_room(const std::string& what, const std::string& word, const Snapshot& building) {
     const std::vector<Room>& rooms = building.rooms().rooms;
     const std::string name = io::trimmed_room_name(word);
+    if (name.empty()) {
+        throw InputError(what + ": nothing: expected a point as X,Y, or the id or name of a room");
+    }
     std::vector<const Room*> named;
     std::vector<std::string> names;
     bool is_id = false;

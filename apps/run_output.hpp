@@ -22,8 +22,8 @@ namespace quadcut {
 /// The files that come of following a robot.
 [[nodiscard]] std::vector<std::string> followed_files();
 
-/// The rooms as they are now, with a report of them and of why
-/// there are none; `warnings` go before.
+/// The rooms as they are now, with a report of them and of why there are none; `warnings` go
+/// before.
 [[nodiscard]] Segmentation followed_rooms(const Snapshot& building, const SegmentOptions& options,
                                           std::vector<std::string> warnings);
 

@@ -94,14 +94,14 @@ private:
         queue_.push({length + octile(floor_.clearance_m.cell(offset), to), offset});
     }
     void expand(Cell cell, float length, Cell to) {
-        for (std::uint8_t i = 0; i < kSteps.size(); ++i) {
+        for (std::size_t i = 0; i < kSteps.size(); ++i) {
             const Cell step = kSteps[i];
             const Cell next{cell.x + step.x, cell.y + step.y};
             if (!fits(next)) continue;
             const bool is_diagonal = i >= 4;
             if (is_diagonal && !(fits({next.x, cell.y}) && fits({cell.x, next.y}))) continue;
-            reach(floor_.clearance_m.offset(next), length + (is_diagonal ? kDiagonal : 1.0F), i,
-                  to);
+            reach(floor_.clearance_m.offset(next), length + (is_diagonal ? kDiagonal : 1.0F),
+                  static_cast<std::uint8_t>(i), to);
         }
     }
     CellWay way_to(Cell to) {

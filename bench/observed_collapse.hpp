@@ -11,9 +11,9 @@
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"
 
-// The paper's step 2 to the letter, beside ours: a subtree collapses when a scan sees all of it
-// free; one that reaches out of the observed area stays, whatever is known of it (READING.md, item
-// 19). Ours collapses what is of one state, whoever saw it.
+// Step 2 of the paper's "Dynamic construction of quadtree" to the letter, beside ours: a subtree
+// collapses when a scan sees all of it free; one that reaches out of the observed area stays,
+// whatever is known of it. Ours collapses what is of one state, whoever saw it.
 namespace quadcut {
 
 class ObservedCollapse {

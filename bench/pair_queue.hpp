@@ -53,7 +53,8 @@ inline std::vector<NodePair> queue_of_pairs(const FreeLeaves& leaves) {
 
 /// The pairs of one part that see each other, by a tree of its own.
 inline std::vector<WeightedEdge> relevant_pairs(const FreeLeaves& shared,
-                                                std::vector<NodePair> part, double resolution_m) {
+                                                const std::vector<NodePair>& part,
+                                                double resolution_m) {
     const auto copy = std::make_unique<FreeLeaves>(shared);
     Box box;
     for (const LeafId id : copy->nodes) box.include(copy->table.leaf(id).box());

@@ -92,7 +92,7 @@ def quality(files: dict, old: str) -> str | None:
     rows = [row_of("`rooms`", "rooms", "**"),
             [LEFT_OUT, *(left_out_means(files) or old_left_out), ""],
             row_of("`paper`, told the true number of rooms", "paper, told K"),
-            row_of("`paper`, number by silhouette", "paper")]
+            row_of("`paper`, told nothing", "paper")]
     f1 = scored(file, "rooms")
     return (table(["method", "ten maps, plain", "ten maps, furnished", "four KTH floors",
                    "least cover"], rows)

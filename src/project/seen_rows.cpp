@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "project/seen_rows.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include "project/project_rows.hpp"
+#include "quadcut/base/error.hpp"
 
 namespace quadcut::project {
 
@@ -35,7 +37,8 @@ void read_way(const Database& database, FollowedMap& state) {
     if (!has_table(database, "poses")) return;
     const double farthest_m = static_cast<double>(kMaxCoordinate) * state.map.resolution_m();
     Statement row(database, "SELECT x, y FROM poses ORDER BY seq");
-    while (row.step()) {
+    for (std::size_t count = 1; row.step(); ++count) {
+        if (count > state.num_scans) throw InputError("there are more poses than scans");
         const Cell cell = state.map.cell_at({row.number(0, farthest_m), row.number(1, farthest_m)});
         if (state.way.empty() || state.way.back() != cell) state.way.push_back(cell);
     }

@@ -23,7 +23,8 @@ struct IntegrateOptions {
 /// Adds the options of scans, bound to the members of `options`, which must outlive the list.
 void add_fields(IntegrateOptions& options, std::vector<OptionField>& fields);
 
-/// One hit marks and one miss clears, as in the paper (READING.md item 20); the rest as it was.
+/// One hit marks and one miss clears, as in the paper's "Dynamic construction of quadtree"; the
+/// rest as it was.
 [[nodiscard]] IntegrateOptions latest_scan_wins(IntegrateOptions options = {});
 
 }  // namespace quadcut

@@ -69,8 +69,8 @@ void put_in_order(std::vector<GateCells>& border) {
     const Cell first = farthest_from(border.front()[0])[0];
     const Cell last = farthest_from(first)[0];
     const auto along = [&](const GateCells& cells) {
-        return (cells[0].x - first.x) * (last.x - first.x) +
-               (cells[0].y - first.y) * (last.y - first.y);
+        return std::int64_t{cells[0].x - first.x} * (last.x - first.x) +
+               std::int64_t{cells[0].y - first.y} * (last.y - first.y);
     };
     std::stable_sort(border.begin(), border.end(),
                      [&](const GateCells& a, const GateCells& b) { return along(a) < along(b); });

@@ -13,24 +13,28 @@
 namespace quadcut {
 namespace {
 
-RobotFloor floor_of(const Raster<std::uint16_t>& labels, double resolution_m, double robot_width_m,
+/// Rooms have the furniture in them that the map has as occupied.
+RobotFloor floor_of(const GridMap& map, const Raster<std::uint16_t>& labels, double robot_width_m,
                     const Executor& executor) {
     Raster<std::uint8_t> open = Raster<std::uint8_t>::unset(labels.box());
-    std::transform(labels.values.begin(), labels.values.end(), open.values.begin(),
-                   [](std::uint16_t label) { return static_cast<std::uint8_t>(label != 0); });
+    const bool has_states = map.states.values.size() == labels.values.size();
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const bool is_taken = has_states && map.states.values[i] == CellState::occupied;
+        open.values[i] = labels.values[i] != 0 && !is_taken ? 1 : 0;
+    }
     // A robot as narrow as that fits in any cell, and in no obstacle.
-    const double least_m = resolution_m / 4.0;
-    return {labels, clearance_m(open, resolution_m, executor), resolution_m,
+    const double least_m = map.resolution_m / 4.0;
+    return {labels, clearance_m(open, map.resolution_m, executor), map.resolution_m,
             static_cast<float>(std::max(robot_width_m / 2.0, least_m))};
 }
 
 }  // namespace
 
-RoutePlanner::RoutePlanner(const GridMap& frame, const Segmentation& rooms, double robot_width_m,
+RoutePlanner::RoutePlanner(const GridMap& map, const Segmentation& rooms, double robot_width_m,
                            const Executor& executor)
-    : frame_(frame),
+    : map_(map),
       rooms_(rooms),
-      floor_(floor_of(rooms.labels, frame.resolution_m, robot_width_m, executor)),
+      floor_(floor_of(map, rooms.labels, robot_width_m, executor)),
       parts_(connected_parts(
           floor_.clearance_m,
           [this](std::size_t i) { return floor_.clearance_m.values[i] >= floor_.radius_m ? 1 : 0; },
@@ -97,7 +101,7 @@ void RoutePlanner::prepare(const Executor& executor) {
 }
 
 std::optional<Cell> RoutePlanner::standing_place(const Point& point, double within_m) const {
-    const Point in_map = transform(inverse(frame_.map_from_image), point);
+    const Point in_map = transform(inverse(map_.map_from_image), point);
     const Point at{in_map.x / floor_.resolution_m, in_map.y / floor_.resolution_m};
     const double most = 1e9;
     if (!(std::abs(at.x) < most && std::abs(at.y) < most)) return std::nullopt;
@@ -121,7 +125,7 @@ std::optional<Cell> RoutePlanner::standing_place(const Point& point, double with
 }
 
 Point RoutePlanner::middle_of(Cell cell) const {
-    return transform(frame_.map_from_image,
+    return transform(map_.map_from_image,
                      {(cell.x + 0.5) * floor_.resolution_m, (cell.y + 0.5) * floor_.resolution_m});
 }
 

@@ -49,14 +49,14 @@ struct Route {
 /// Finds ways through a building that is cut into rooms: over rooms and doors first, then within
 /// each room. Of a room it keeps what it had to find out, so that the next way through it is found
 /// with a look at a few cells. A way is the shortest, within about a percent, that keeps the
-/// robot's radius off everything that is no floor of a room; where there is space it bends 0.15 m
+/// robot's radius off walls and furniture; where there is space it bends 0.15 m
 /// further off.
 class RoutePlanner {
 public:
-    /// `frame` says where the cells lie, its states are not read. Both are kept by reference.
-    /// O(cells). @pre robot_width_m >= 0
-    RoutePlanner(const GridMap& frame, const Segmentation& rooms,
-                 double robot_width_m = kRobotWidthM, const Executor& executor = {});
+    /// What `map` has as occupied is in the way; one without states only says where the cells lie.
+    /// Both are kept by reference. O(cells). @pre robot_width_m >= 0
+    RoutePlanner(const GridMap& map, const Segmentation& rooms, double robot_width_m = kRobotWidthM,
+                 const Executor& executor = {});
 
     /// Finds out about all rooms at once; else it is done room by room when a way may lead there.
     void prepare(const Executor& executor = {});
@@ -95,7 +95,7 @@ private:
     /// nearest first.
     [[nodiscard]] std::vector<std::uint32_t> hubs_around(Cell cell, std::size_t room) const;
 
-    const GridMap& frame_;
+    const GridMap& map_;
     const Segmentation& rooms_;
     RobotFloor floor_;
     ConnectedParts parts_;

@@ -21,7 +21,7 @@ enum class Uncrossed : std::uint8_t {
     /// The preset `paper` drops them, `rooms` keeps them.
     by_preset,
     kept,
-    /// They are no part of the map (the paper's Fig 12; READING.md item 26).
+    /// They are no part of the map (the paper's Fig 12).
     dropped,
 };
 

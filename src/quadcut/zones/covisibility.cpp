@@ -12,6 +12,9 @@ std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b
     return std::minmax(a, b);
 }
 
+/// Less is seen together by no scan that counts.
+constexpr double kLeastScans = 1e-12;
+
 }  // namespace
 
 void count_scan(Covisibility& counts, std::span<const SeenFloor> floors) {
@@ -53,7 +56,7 @@ Graph covisibility_graph(const Covisibility& counts, const Segmentation& rooms) 
     for (const auto& [pair, scans] : counts.scans) {
         const auto a = place_of.find(pair.first);
         const auto b = place_of.find(pair.second);
-        if (a == place_of.end() || b == place_of.end()) continue;
+        if (a == place_of.end() || b == place_of.end() || scans < kLeastScans) continue;
         edges.push_back({a->second, b->second, scans});
     }
     return build_graph(edges, std::move(areas_m2));

@@ -42,7 +42,8 @@ struct PairIndependence {
     friend bool operator==(const PairIndependence&, const PairIndependence&) = default;
 };
 
-/// How independent the parts of a map are of each other (READING.md item 28).
+/// How independent the parts of a map are of each other: what the paper leaves to future work
+/// (Conclusion).
 struct Independence {
     std::size_t num_parts = 0;
     /// Scans that stood in a part.

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "quadcut/base/error.hpp"
 #include "quadcut/spectral/eigensolver.hpp"
 #include "quadcut/spectral/embedding.hpp"
 #include "quadcut/zones/conductance.hpp"
@@ -92,6 +94,15 @@ std::size_t number_by_gap(const Zones& zones, std::size_t num_rooms, std::size_t
     return best;
 }
 
+/// None where the eigensolver fails its checks: rooms are to be had without zones.
+std::optional<Eigenpairs> checked_pairs(const Graph& graph, std::size_t count) {
+    try {
+        return smallest_eigenpairs(graph, LaplacianKind::degree, count);
+    } catch (const NumericalError&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
@@ -102,7 +113,9 @@ Zones find_zones(const Graph& rooms, const ZoneOptions& options) {
     const std::size_t least = num_components(graph);
     const std::size_t most = std::max(options.count, least + kMaxCuts);
     // Eq. (4) of the graph of rooms.
-    const Eigenpairs pairs = smallest_eigenpairs(graph, LaplacianKind::degree, most + 1);
+    const std::optional<Eigenpairs> solved = checked_pairs(graph, most + 1);
+    if (!solved) return zones;
+    const Eigenpairs& pairs = *solved;
     zones.weights = options.weights;
     zones.eigenvalues = pairs.values;
     zones.gaps = gaps_of(pairs.values, least);

@@ -95,6 +95,23 @@ TEST(RoutePlanner, BendsAroundWhatStandsInARoom) {
     EXPECT_GT(route->points.size(), 2U);
 }
 
+TEST(RoutePlanner, BendsAroundFurnitureThatARoomHasInIt) {
+    DrawnRooms drawn({"###########",  //
+                      "#aaaaaaaaa#",  //
+                      "#aaaaaaaaa#",  //
+                      "#aaaaaaaaa#",  //
+                      "###########"});
+    drawn.frame.states = Raster<CellState>(drawn.rooms.labels.box(), CellState::free);
+    const Box chair{{25, 9}, {28, 12}};
+    for_each_cell(chair, [&](Cell cell) { drawn.frame.states.at(cell) = CellState::occupied; });
+    RoutePlanner planner(drawn.frame, drawn.rooms, 0.4);
+    const auto route = route_between(planner, {1.0, 1.1}, {4.5, 1.1});
+    ASSERT_TRUE(route);
+    EXPECT_GT(route->points.size(), 2U);
+    EXPECT_GT(route->length_m, 3.52);
+    EXPECT_FALSE(planner.floor().fits({26, 10}));
+}
+
 TEST(RoutePlanner, SaysWhereARobotCanStand) {
     const DrawnRooms drawn = two_rooms();
     const RoutePlanner planner(drawn.frame, drawn.rooms, 0.4);
