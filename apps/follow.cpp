@@ -71,6 +71,13 @@ std::vector<std::string> all_warnings(const io::SourceFacts& facts, const ScanPo
     return warnings;
 }
 
+void warn_of_the_ineffective(const SegmentOptions& options) {
+    if (options.preset != Preset::rooms || options.paper.num_submaps == 0) return;
+    print_warnings(
+        {"submaps plays no part while following in the preset rooms: 'quadcut segment "
+         "--submaps' cuts the whole map into so many"});
+}
+
 void run(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     io::FileBatch output = begin_output(arguments, followed_files());
@@ -91,11 +98,7 @@ void run(const Arguments& arguments) {
     io::RunInfo info = run_info_of(options, run_options);
     info.input = arguments.operands[0];
     info.input_hash = facts.content_hash;
-    if (options.segment.preset == Preset::rooms && options.segment.paper.num_submaps != 0) {
-        print_warnings(
-            {"submaps plays no part while following in the preset rooms: "
-             "'quadcut segment --submaps' cuts the whole map into so many"});
-    }
+    warn_of_the_ineffective(options.segment);
     Project project = begin_project(arguments, options, run_options, facts);
     Pace pace(play.speed, machine_clock());
     io::skip_to(*source, project.position()->num_done);
