@@ -133,6 +133,8 @@ FollowUpdate Follower::finish() {
 }
 
 std::optional<FollowUpdate> Follower::refine() {
+    // The paper's submaps are cut with what is seen with them, and no block by itself.
+    if (options_.segment.preset == Preset::paper) return std::nullopt;
     bool is_any = false;
     const FollowUpdate done = update([&](FollowUpdate& update) {
         return is_any = refine_stalest(*state_, options_, kMinStale, executor_, update);

@@ -47,7 +47,8 @@ public:
     /// Cuts around all that has changed, however little.
     FollowUpdate finish();
     /// Decides a part of a room again that has become another since: what idle time is for, in
-    /// slices that take as long as an update. Nothing when there is none.
+    /// slices that take as long as an update. Nothing when there is none, and in the preset
+    /// `paper`.
     std::optional<FollowUpdate> refine();
 
     /// Throws InputError, with nothing changed, when a room does not exist or the edit cannot be
