@@ -52,6 +52,18 @@ inline double percent(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// Takes -o and the file after it out of the words; empty when there is none.
+inline std::string take_output_path(std::vector<std::string>& words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] != "-o") continue;
+        std::string output = words[i + 1];
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(i + 2));
+        return output;
+    }
+    return {};
+}
+
 /// The file after -o, empty when none is given.
 inline std::string output_path(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {

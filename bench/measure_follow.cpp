@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "bench/building_case.hpp"
+#include "bench/cases.hpp"
 #include "bench/follow_log.hpp"
 #include "bench/result_file.hpp"
 #include "eval/labels.hpp"
@@ -453,14 +454,7 @@ void go_around(const std::vector<std::string>& lengths, Json& rows) {
 
 int run(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    std::string output;
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        if (words[i] != "-o") continue;
-        output = words[i + 1];
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                    words.begin() + static_cast<std::ptrdiff_t>(i + 2));
-        break;
-    }
+    const std::string output = take_output_path(words);
     const std::string what = words.empty() ? "" : words.front();
     const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
     const auto number = [&](std::size_t otherwise) {
