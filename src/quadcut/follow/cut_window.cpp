@@ -81,13 +81,9 @@ Alone cut_alone(const FollowedMap& followed, const Window& window, const Segment
     const double resolution_m = followed.map.resolution_m();
     Layout layout = followed.cells.orientation();
     layout.box = window.states.box();
-    Raster<std::uint8_t> free(layout.box);
-    for (std::size_t i = 0; i < free.values.size(); ++i) {
-        free.values[i] = window.states.values[i] == CellState::free ? 1 : 0;
-    }
     const Raster<std::uint8_t> kept =
         cells_to_cut(window.states, followed.cell_m2(), options.rooms.min_component_m2);
-    const auto free_laid = laid_out<std::uint8_t>(free, layout, 0);
+    const auto states = laid_out<CellState>(window.states, layout, CellState::unknown);
     Alone alone{{}, window.states.values.size()};
     const auto beyond = [&](const Raster<std::uint32_t>& laid_pieces, RegionGraph& regions) {
         Raster<std::uint32_t> pieces(layout.box);
@@ -96,7 +92,7 @@ Alone cut_alone(const FollowedMap& followed, const Window& window, const Segment
     };
     StageClock clock;
     const RoomsCut laid =
-        cut_into_rooms({laid_out<std::uint8_t>(kept, layout, 0), free_laid, resolution_m, beyond},
+        cut_into_rooms({laid_out<std::uint8_t>(kept, layout, 0), states, resolution_m, beyond},
                        options.rooms, clock, executor);
     alone.cut.rooms = Raster<std::uint32_t>(layout.box);
     alone.cut.pieces = Raster<std::uint32_t>(layout.box);

@@ -13,6 +13,7 @@
 
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/wide_vectors.hpp"
+#include "quadcut/map/connected_parts.hpp"
 
 namespace quadcut {
 namespace {
@@ -273,6 +274,54 @@ Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
         for (std::size_t i = first; i < last; ++i) ways[i] &= ~kIsLabel;
     });
     return basins;
+}
+
+std::uint32_t split_at_lines(const WallLines& lines, Raster<std::uint32_t>& labels,
+                             const Executor& executor) {
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (lines.more_dm.values[i] != 0) labels.values[i] = 0;
+    }
+    const ConnectedParts parts = connected_parts(
+        labels, [&](std::size_t i) { return labels.values[i]; }, Connectivity::four, executor);
+    std::vector<std::uint32_t> number(parts.count + std::size_t{1});
+    std::iota(number.begin(), number.end(), 0U);
+    parts.paint(number, labels, executor);
+    return parts.count;
+}
+
+void spread_labels(const Raster<std::uint8_t>& open, Raster<std::uint32_t>& labels) {
+    const auto width = static_cast<std::size_t>(labels.width);
+    std::vector<std::size_t> front;
+    const auto is_bare = [&](std::size_t i) { return open.values[i] != 0 && labels.values[i] == 0; };
+    const auto for_each_neighbour = [&](std::size_t i, const auto& visit) {
+        const std::size_t x = i % width;
+        if (x > 0) visit(i - 1);
+        if (x + 1 < width) visit(i + 1);
+        if (i >= width) visit(i - width);
+        if (i + width < labels.values.size()) visit(i + width);
+    };
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (!is_bare(i)) continue;
+        bool is_beside = false;
+        for_each_neighbour(i, [&](std::size_t k) { is_beside |= labels.values[k] != 0; });
+        if (is_beside) front.push_back(i);
+    }
+    while (!front.empty()) {
+        std::vector<std::pair<std::size_t, std::uint32_t>> reached;
+        for (const std::size_t i : front) {
+            if (labels.values[i] != 0) continue;
+            std::uint32_t label = 0;
+            for_each_neighbour(i, [&](std::size_t k) { label = std::max(label, labels.values[k]); });
+            reached.emplace_back(i, label);
+        }
+        front.clear();
+        for (const auto& [i, label] : reached) labels.values[i] = label;
+        for (const auto& [i, label] : reached) {
+            for_each_neighbour(i, [&](std::size_t k) {
+                if (is_bare(k)) front.push_back(k);
+            });
+        }
+    }
 }
 
 }  // namespace quadcut

@@ -6,6 +6,7 @@
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/wall_lines.hpp"
 
 namespace quadcut {
 
@@ -21,5 +22,14 @@ struct Basins {
 /// O(cells). Deterministic.
 [[nodiscard]] Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
                                   const Executor& executor = {});
+
+/// Cuts basins where walls would go on: each connected part that is left has a label of its own, the
+/// cells of the lines have none. Returns the number of labels. O(cells).
+std::uint32_t split_at_lines(const WallLines& lines, Raster<std::uint32_t>& labels,
+                             const Executor& executor = {});
+
+/// Gives the cells of `open` that have no label that of the nearest one, step by step: what stands
+/// on the floor belongs to what is around it. O(cells).
+void spread_labels(const Raster<std::uint8_t>& open, Raster<std::uint32_t>& labels);
 
 }  // namespace quadcut

@@ -6,6 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <vector>
 
 #include "quadcut/rooms/door_trees.hpp"
 
@@ -49,67 +52,103 @@ unsigned flatten(const DoorTree& tree, int node, FlatTree& flat) {
     return below | under(branch.above);
 }
 
-std::array<FlatTree, kDoorTrees.size()> flat_trees() {
-    std::array<FlatTree, kDoorTrees.size()> flat;
+std::vector<FlatTree> flat_trees(const std::vector<DoorTree>& trees) {
+    std::vector<FlatTree> flat(trees.size());
     for (std::size_t i = 0; i < flat.size(); ++i) {
-        flat[i].leaves = kDoorTrees[i].leaves;
-        (void)flatten(kDoorTrees[i], 0, flat[i]);
+        flat[i].leaves = trees[i].leaves;
+        (void)flatten(trees[i], 0, flat[i]);
     }
     return flat;
+}
+struct LoadedModel {
+    double bias;
+    std::vector<FlatTree> trees;
+};
+LoadedModel load_model() {
+    const char* path = std::getenv("DOOR_TREES");
+    if (path == nullptr) return {kDoorBias, flat_trees({kDoorTrees.begin(), kDoorTrees.end()})};
+    std::ifstream in(path);
+    double bias = 0; std::size_t n = 0;
+    in >> bias >> n;
+    std::vector<DoorTree> trees(n);
+    for (DoorTree& tree : trees) {
+        for (DoorBranch& b : tree.branches) { int cue = 0; in >> cue >> b.threshold >> b.below >> b.above; b.cue = static_cast<std::uint8_t>(cue); }
+        for (float& leaf : tree.leaves) in >> leaf;
+    }
+    return {bias, flat_trees(trees)};
 }
 
 }  // namespace
 
-std::array<float, kNumDoorCues> door_cues(const Narrowing& narrowing) {
-    const double h = narrowing.half_width_m;
-    const SideOfSaddle& narrower = narrowing.narrower;
-    const SideOfSaddle& wider = narrowing.wider;
-    const Opening& opening = narrowing.opening;
-    return {static_cast<float>(h),
-            logarithm(narrower.peak_m[0] / h),
-            logarithm(narrower.peak_m[1] / h),
-            logarithm(narrower.peak_m[2] / h),
-            logarithm(wider.peak_m[0] / h),
-            logarithm(wider.peak_m[1] / h),
-            logarithm(wider.peak_m[2] / h),
-            static_cast<float>(narrower.reach_m / (2.0 * h)),
-            static_cast<float>(wider.reach_m / (2.0 * h)),
-            logarithm(narrower.area_m2[1] / (4.0 * h * h)),
-            logarithm(wider.area_m2[1] / (4.0 * h * h)),
-            logarithm(narrower.area_m2[0]),
-            logarithm(wider.area_m2[0]),
-            static_cast<float>(opening.thin_wall_m[0]),
-            static_cast<float>(opening.thin_wall_m[1]),
-            static_cast<float>(opening.flush_wall_m[0]),
-            static_cast<float>(opening.flush_wall_m[1]),
-            static_cast<float>(narrowing.border_ratio),
-            static_cast<float>(opening.widening_m[0][0]),
-            static_cast<float>(opening.widening_m[0][1]),
-            static_cast<float>(opening.widening_m[1][0]),
-            static_cast<float>(opening.widening_m[1][1]),
-            static_cast<float>(opening.width_m),
-            logarithm(narrower.spread_m[0] / h),
-            logarithm(wider.spread_m[0] / h),
-            logarithm(std::min(narrower.spread_m[0], wider.spread_m[0]) / h),
-            logarithm(std::max(narrower.spread_m[0], wider.spread_m[0]) / h),
-            logarithm(narrower.spread_m[1] / h),
-            logarithm(wider.spread_m[1] / h),
-            logarithm(narrower.region_area_m2),
-            logarithm(wider.region_area_m2),
-            logarithm(narrower.region_peak_m / h),
-            logarithm(wider.region_peak_m / h),
-            logarithm(elongation(narrower)),
-            logarithm(elongation(wider)),
-            static_cast<float>(narrower.num_openings),
-            static_cast<float>(wider.num_openings),
-            static_cast<float>(opening.line_of_walls_m[0]),
-            static_cast<float>(opening.line_of_walls_m[1])};
+std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border) {
+    std::array<float, kNumDoorCues> cues{};
+    std::size_t at = 0;
+    const auto put = [&](float value) { cues[at++] = value; };
+    const auto put_narrowing = [&](const Narrowing& narrowing) {
+        const double h = std::max(0.01, narrowing.half_width_m);
+        const SideOfSaddle& narrower = narrowing.narrower;
+        const SideOfSaddle& wider = narrowing.wider;
+        const Opening& opening = narrowing.opening;
+        put(static_cast<float>(narrowing.half_width_m));
+        for (const double peak : narrower.peak_m) put(logarithm(peak / h));
+        for (const double peak : wider.peak_m) put(logarithm(peak / h));
+        put(static_cast<float>(narrower.reach_m / (2.0 * h)));
+        put(static_cast<float>(wider.reach_m / (2.0 * h)));
+        put(logarithm(narrower.area_m2[1] / (4.0 * h * h)));
+        put(logarithm(wider.area_m2[1] / (4.0 * h * h)));
+        put(logarithm(narrower.area_m2[0]));
+        put(logarithm(wider.area_m2[0]));
+        for (const double m : opening.thin_wall_m) put(static_cast<float>(m));
+        for (const double m : opening.flush_wall_m) put(static_cast<float>(m));
+        put(static_cast<float>(narrowing.border_ratio));
+        for (const auto& side : opening.widening_m) {
+            for (const double m : side) put(static_cast<float>(m));
+        }
+        put(static_cast<float>(opening.width_m));
+        put(logarithm(narrower.spread_m[0] / h));
+        put(logarithm(wider.spread_m[0] / h));
+        put(logarithm(std::min(narrower.spread_m[0], wider.spread_m[0]) / h));
+        put(logarithm(std::max(narrower.spread_m[0], wider.spread_m[0]) / h));
+        put(logarithm(narrower.spread_m[1] / h));
+        put(logarithm(wider.spread_m[1] / h));
+        put(logarithm(narrower.region_area_m2));
+        put(logarithm(wider.region_area_m2));
+        put(logarithm(narrower.region_peak_m / h));
+        put(logarithm(wider.region_peak_m / h));
+        put(logarithm(elongation(narrower)));
+        put(logarithm(elongation(wider)));
+        put(static_cast<float>(narrower.num_openings));
+        put(static_cast<float>(wider.num_openings));
+        for (const double m : opening.line_of_walls_m) put(static_cast<float>(m));
+    };
+    put_narrowing(border.narrowing);
+    put_narrowing(border.free_narrowing);
+    for (const Narrowing* narrowing : {&border.narrowing, &border.free_narrowing}) {
+        put(static_cast<float>(narrowing->share_in_line));
+        put(static_cast<float>(narrowing->less_wall_m));
+        put(static_cast<float>(narrowing->more_wall_m));
+    }
+    for (const RegionShape* shape : {&border.narrower, &border.wider, &border.joined}) {
+        put(static_cast<float>(shape->area_m2 / std::max(1e-3, shape->hull_m2)));
+        put(static_cast<float>(shape->around_m.width));
+        put(logarithm(shape->around_m.length / std::max(1e-3, shape->around_m.width)));
+        put(static_cast<float>(shape->area_m2 / std::max(1e-3, shape->around_m.width * shape->around_m.length)));
+        put(static_cast<float>(shape->open_share));
+        put(static_cast<float>(4.0 * shape->mean_clearance_m));
+        put(static_cast<float>(4.0 * shape->mean_free_clearance_m));
+    }
+    put(logarithm(border.narrower.mean_clearance_m / std::max(1e-3, border.wider.mean_clearance_m)));
+    put(logarithm(border.joined.hull_m2 / std::max(1e-3, border.narrower.hull_m2 + border.wider.hull_m2)));
+    for (const double m : border.open_in_line_m) put(static_cast<float>(m));
+    for (const double m : border.free_in_line_m) put(static_cast<float>(m));
+    return cues;
 }
 
-double door_log_odds(const Narrowing& narrowing) {
-    static const std::array<FlatTree, kDoorTrees.size()> trees = flat_trees();
-    const std::array<float, kNumDoorCues> cues = door_cues(narrowing);
-    double log_odds = kDoorBias;
+double door_log_odds(const BorderMeasure& border) {
+    static const LoadedModel model = load_model();
+    const std::vector<FlatTree>& trees = model.trees;
+    const std::array<float, kNumDoorCues> cues = door_cues(border);
+    double log_odds = model.bias;
     for (const FlatTree& tree : trees) {
         unsigned leaves = 0xFF;
         for (const FlatTree::Question& question : tree.questions) {

@@ -93,13 +93,14 @@ struct Found {
     Pair pair;
     std::vector<Contact> contacts;
     Saddle saddle;
+    Saddle free_saddle;
     Door door;
 };
 
-Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOutFrame& frame,
-                  NarrowingGauge& gauge) {
+Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOutFrame& frame) {
     const auto [a, b] = opening.pair;
-    const Narrowing narrowing = regions.measure_at(opening.saddle, a, b, gauge);
+    const BorderMeasure border = regions.measure_at(opening.saddle, opening.free_saddle, a, b);
+    const Narrowing& narrowing = border.narrowing;
     const std::array<Cell, 2> jambs =
         narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening.contacts);
     Door door;
@@ -113,17 +114,17 @@ Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOu
     const double wider_m = 2.0 * narrowing.wider.peak_m.back();
     door.room_a_width_m = narrowing.is_a_narrower ? narrower_m : wider_m;
     door.room_b_width_m = narrowing.is_a_narrower ? wider_m : narrower_m;
-    door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(narrowing)));
+    door.confidence = 1.0 / (1.0 + std::exp(-door_log_odds(border)));
     return door;
 }
 
 }  // namespace
 
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
-                             const Raster<float>& clearance_m, const LaidOutFrame& frame,
+                             const Ground& ground, const LaidOutFrame& frame,
                              double min_width_m, const Executor& executor) {
     std::vector<Door> doors;
-    for (const PlacedDoor& found : find_doors_in(labels.box(), {}, labels, num_regions, clearance_m,
+    for (const PlacedDoor& found : find_doors_in(labels.box(), {}, labels, num_regions, ground,
                                                  frame, min_width_m, executor)) {
         doors.push_back(found.door);
     }
@@ -132,21 +133,20 @@ std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t 
 
 std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> beyond,
                                       const Raster<std::uint32_t>& labels,
-                                      std::uint32_t num_regions, const Raster<float>& clearance_m,
+                                      std::uint32_t num_regions, const Ground& ground,
                                       const LaidOutFrame& frame, double min_width_m,
                                       const Executor& executor) {
     std::vector<Found> openings;
-    BorderSaddles saddles;
     for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
-        saddles.emplace(pair, widest_contact(contacts, clearance_m));
         for (auto& opening : split_into_openings(contacts)) {
-            const Saddle saddle = widest_contact(opening, clearance_m);
+            const Saddle saddle = widest_contact(opening, ground.clearance_m);
+            const Saddle free_saddle = widest_contact(opening, ground.free_clearance_m);
             // Where nothing fits through is no door.
             if (saddle.clearance_m <= 0.0F || !box.contains(saddle.a)) continue;
-            openings.push_back({pair, std::move(opening), saddle, {}});
+            openings.push_back({pair, std::move(opening), saddle, free_saddle, {}});
         }
     }
-    RegionGraph regions(labels, num_regions, saddles, clearance_m, frame.resolution_m, executor);
+    RegionGraph regions(labels, num_regions, ground, executor);
     for (std::uint32_t i = 0; i < beyond.size(); ++i) regions.add_beyond(i + 1, beyond[i]);
     std::vector<Found*> order;
     for (Found& opening : openings) order.push_back(&opening);
@@ -157,9 +157,8 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
               [&](const Found* p, const Found* q) { return block(p) < block(q); });
     parallel_for(executor, order.size(), kOpeningsPerChunk,
                  [&](std::size_t first, std::size_t last) {
-                     NarrowingGauge gauge(clearance_m, frame.resolution_m);
                      for (std::size_t i = first; i < last; ++i) {
-                         order[i]->door = measure_door(*order[i], regions, frame, gauge);
+                         order[i]->door = measure_door(*order[i], regions, frame);
                      }
                  });
     std::vector<PlacedDoor> doors;

@@ -23,8 +23,8 @@ inline constexpr double kMinDoorM = 0.3;
 /// O(cells + 5 m around each opening).
 [[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
                                            std::uint32_t num_regions,
-                                           const Raster<float>& clearance_m,
-                                           const LaidOutFrame& frame, double min_width_m,
+                                           const Ground& ground, const LaidOutFrame& frame,
+                                           double min_width_m,
                                            const Executor& executor = {});
 
 /// A door, and the two cells beside each other, one in each of its rooms, where it is widest.
@@ -41,7 +41,7 @@ struct PlacedDoor {
 [[nodiscard]] std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> beyond,
                                                     const Raster<std::uint32_t>& labels,
                                                     std::uint32_t num_regions,
-                                                    const Raster<float>& clearance_m,
+                                                    const Ground& ground,
                                                     const LaidOutFrame& frame, double min_width_m,
                                                     const Executor& executor = {});
 

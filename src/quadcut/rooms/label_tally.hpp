@@ -55,7 +55,7 @@ template <typename Tally, typename Label, typename Add, typename Merge>
         parts[first / num_rows] = std::move(tallies);
     });
     std::vector<Tally> all(1);
-    for (const std::vector<Tally>& part : parts) {
+    for (std::vector<Tally>& part : parts) {
         if (part.size() > all.size()) all.resize(part.size());
         for (std::size_t label = 1; label < part.size(); ++label) merge(all[label], part[label]);
     }

@@ -247,6 +247,10 @@ Narrowing put_together(const Saddle& saddle, const Opening& opening, const SideO
     out.wider = out.is_a_narrower ? side_b : side_a;
     out.border_ratio =
         static_cast<double>(saddle.num_contacts) * resolution_m / (2.0 * out.half_width_m);
+    const auto num_contacts = static_cast<double>(std::max<std::size_t>(1, saddle.num_contacts));
+    out.share_in_line = static_cast<double>(saddle.num_in_line) / num_contacts;
+    out.less_wall_m = 0.1 * static_cast<double>(saddle.less_wall_dm) / num_contacts;
+    out.more_wall_m = 0.1 * static_cast<double>(saddle.more_wall_dm) / num_contacts;
     return out;
 }
 

@@ -42,6 +42,10 @@ struct Narrowing {
     bool is_a_narrower = true;
     /// The length of the border between the two regions, over the width of the opening.
     double border_ratio = 0.0;
+    /// The share of the border in gaps of walls' lines, and the walls at their ends, on the mean.
+    double share_in_line = 0.0;
+    double less_wall_m = 0.0;
+    double more_wall_m = 0.0;
     Opening opening;
 };
 

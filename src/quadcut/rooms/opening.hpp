@@ -17,6 +17,10 @@ struct Saddle {
     float clearance_m = 0.0F;
     /// Pairs of touching cells of the whole border.
     std::size_t num_contacts = 0;
+    /// Of these, in a gap of a wall's line; decimetres of wall at its ends, summed.
+    std::size_t num_in_line = 0;
+    std::size_t less_wall_dm = 0;
+    std::size_t more_wall_dm = 0;
 };
 
 /// A unit vector in the raster's axes.

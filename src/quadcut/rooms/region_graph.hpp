@@ -2,18 +2,17 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/borders.hpp"
+#include "quadcut/rooms/hull.hpp"
 #include "quadcut/rooms/narrowing.hpp"
 
 namespace quadcut {
@@ -32,19 +31,53 @@ struct Beyond {
     std::size_t num_openings = 0;
 };
 
-/// The saddle of each two pieces a < b that touch, at the cell of a.
-using BorderSaddles = std::map<std::pair<std::uint32_t, std::uint32_t>, Saddle>;
+/// The floor that regions are made of; rasters of one rectangle that outlive what looks at them.
+struct Ground {
+    /// The clearance among walls: furniture is open.
+    const Raster<float>& clearance_m;
+    /// The clearance among all obstacles.
+    const Raster<float>& free_clearance_m;
+    const Raster<CellState>& states;
+    /// Empty: none are known.
+    const WallLines& lines;
+    double resolution_m = 0.05;
+};
+
+/// How a region fills what is around it.
+struct RegionShape {
+    double area_m2 = 0.0;
+    /// A quarter of the width, in a corridor.
+    double mean_clearance_m = 0.0;
+    double mean_free_clearance_m = 0.0;
+    /// Of its convex hull.
+    double hull_m2 = 0.0;
+    /// The smallest rectangle around it.
+    Rectangle around_m;
+    /// The share of its border that is open to the unknown.
+    double open_share = 0.0;
+};
+
+/// What is known about a border between two regions.
+struct BorderMeasure {
+    /// Among walls, and among all obstacles, where that may differ; the latter all 0 where nothing
+    /// is free between them.
+    Narrowing narrowing;
+    Narrowing free_narrowing;
+    /// Of the narrower side, the wider, and both together.
+    RegionShape narrower;
+    RegionShape wider;
+    RegionShape joined;
+    /// In line with the opening, beyond each jamb: metres that are open in one of the two regions.
+    /// Smaller one first.
+    std::array<double, 2> open_in_line_m{};
+    std::array<double, 2> free_in_line_m{};
+};
 
 /// Regions made of pieces that only ever join, with the widest saddle to each neighbour.
 class RegionGraph {
 public:
     /// One region a piece (labels 1 .. num_pieces). The rasters must outlive the graph. O(cells).
-    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const Raster<float>& clearance_m, double resolution_m,
-                const Executor& executor = {});
-    /// The same, of which the saddles are known.
-    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const BorderSaddles& saddles, const Raster<float>& clearance_m, double resolution_m,
+    RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces, const Ground& ground,
                 const Executor& executor = {});
 
     /// The region that a piece has become part of; a region is named by one of its pieces.
@@ -57,7 +90,10 @@ public:
     [[nodiscard]] std::size_t num_saddles() const;
     /// The regions that touch this one, and where they are widest apart from it.
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
-        return saddles_[region];
+        return borders_.of(region);
+    }
+    [[nodiscard]] const std::map<std::uint32_t, Saddle>& free_saddles(std::uint32_t region) const {
+        return free_borders_.of(region);
     }
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
@@ -78,58 +114,62 @@ public:
 
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
-    [[nodiscard]] Narrowing measure(std::uint32_t a, std::uint32_t b);
+    [[nodiscard]] BorderMeasure measure(std::uint32_t a, std::uint32_t b);
     /// Measures ahead what measure() will be asked for, on all threads: the saddles of a region up
     /// to a width; of all regions.
     void measure_around(std::uint32_t region, double max_width_m, const Executor& executor);
     void measure_all(double max_width_m, const Executor& executor);
-    /// The same as measure() at another saddle between them, whose cell a lies in region a.
-    [[nodiscard]] Narrowing measure_at(const Saddle& saddle, std::uint32_t a, std::uint32_t b,
-                                       NarrowingGauge& gauge) const;
+    /// The same as measure() at other saddles between them, whose cell a lies in region a.
+    [[nodiscard]] BorderMeasure measure_at(const Saddle& saddle, const Saddle& free_saddle,
+                                           std::uint32_t a, std::uint32_t b) const;
 
 private:
-    struct Extent {
-        double area_m2 = 0.0;
-        double peak_m = 0.0;
-        /// Of the raster's cells, whole numbers: their sums are exact in any order.
+    /// Over the raster's cells.
+    struct Sums {
+        /// Whole numbers: their sums are exact in any order.
         double num_cells = 0.0;
         double sum_x = 0.0;
         double sum_y = 0.0;
+        double sum_clearance_m = 0.0;
+        double sum_free_clearance_m = 0.0;
+        /// Sides of cells towards the unknown and towards obstacles.
+        double num_unknown = 0.0;
+        double num_occupied = 0.0;
+
+        void add(const Sums& other);
+    };
+    struct Extent : Sums {
+        double area_m2 = 0.0;
+        double peak_m = 0.0;
+        double free_peak_m = 0.0;
         /// Openings beyond the raster.
         std::size_t num_openings = 0;
+        /// Whether there is furniture that makes the clearance another.
+        bool is_cluttered = false;
+        Hull hull;
+        RegionShape shape;
+
+        void add(const Extent& other);
     };
 
-    /// What has been measured at a saddle, as far as it still holds.
-    struct Measured {
-        std::optional<Opening> opening;
-        /// On the saddle's sides a and b.
-        std::array<std::optional<WalkedSide>, 2> sides;
-    };
-
-    void forget_if_met(std::uint32_t own, std::uint32_t other, std::uint32_t joined);
-    void complete(const Saddle& saddle, Measured& measured, NarrowingGauge& gauge) const;
-    /// A saddle of which something is still to be measured.
-    struct Unmeasured {
-        const Saddle* saddle = nullptr;
-        Measured* measured = nullptr;
-    };
-    void collect_unmeasured(std::uint32_t region, double max_width_m, bool is_each_once,
-                            std::vector<Unmeasured>& found);
-    void measure(std::span<const Unmeasured> saddles, const Executor& executor);
-    void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
+    [[nodiscard]] RegionsView view() const { return {pieces_, region_}; }
+    [[nodiscard]] RegionShape shape_of(const Sums& extent, const Hull& hull) const;
+    /// What a join changes however far away it is.
+    void describe(std::uint32_t a, std::uint32_t b, BorderMeasure& measure) const;
+    void fill_sides(std::uint32_t a, std::uint32_t b, const Borders& borders, bool is_free,
+                    Narrowing& narrowing) const;
+    [[nodiscard]] std::array<double, 2> open_in_line_m(std::uint32_t a, std::uint32_t b,
+                                                       const Opening& opening,
+                                                       const Raster<float>& clearance) const;
 
     const Raster<std::uint32_t>& pieces_;
-    const Raster<float>& clearance_;
-    double resolution_m_;
-    /// One for each chunk of work that is done at the same time.
-    std::vector<NarrowingGauge> gauges_;
+    Ground ground_;
     std::vector<std::uint32_t> region_;
     std::vector<std::vector<std::uint32_t>> members_;
     std::vector<Extent> extent_;
     std::vector<std::uint32_t> version_;
-    std::vector<std::map<std::uint32_t, Saddle>> saddles_;
-    /// Of regions a < b, at the saddle of a.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Measured> measured_;
+    Borders borders_;
+    Borders free_borders_;
 };
 
 }  // namespace quadcut

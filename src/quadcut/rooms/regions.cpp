@@ -93,7 +93,7 @@ struct OutlineWalk {
 };
 
 /// The labels are as before when it returns.
-OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<CellState>& states,
                                  const std::vector<std::size_t>& pocket, std::size_t max_steps) {
     constexpr auto kReached = static_cast<std::uint32_t>(-1);
     OutlineWalk walk;
@@ -101,7 +101,7 @@ OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<std
     const auto width = static_cast<std::size_t>(labels.width);
     for (const std::size_t cell : pocket) {
         for (const std::size_t next : {cell - 1, cell + 1, cell - width, cell + width}) {
-            if (free.values[next] != 0 || labels.values[next] != 0) continue;
+            if (states.values[next] == CellState::free || labels.values[next] != 0) continue;
             labels.values[next] = kReached;
             walk.reached.push_back({next, walk.reached.size()});
         }
@@ -118,7 +118,7 @@ OutlineWalk walk_through_outline(Raster<std::uint32_t>& labels, const Raster<std
                 if (label != 0) {
                     ++walk.ways[label];
                     walk.arrivals.emplace_back(label, first);
-                } else if (free.values[next] == 0) {
+                } else if (states.values[next] != CellState::free) {
                     labels.values[next] = kReached;
                     walk.reached.push_back({next, first});
                 }
@@ -144,12 +144,12 @@ void bridge(Raster<std::uint32_t>& labels, const OutlineWalk& walk, std::uint32_
 
 /// The cells of free space that may be a pocket.
 std::vector<std::vector<std::size_t>> find_pockets(const Raster<std::uint32_t>& labels,
-                                                   const Raster<std::uint8_t>& free,
+                                                   const Raster<CellState>& states,
                                                    double max_pocket_cells,
                                                    const Executor& executor) {
     const ConnectedParts parts = connected_parts(
         labels,
-        [&](std::size_t i) { return free.values[i] == 0     ? 0U
+        [&](std::size_t i) { return states.values[i] != CellState::free     ? 0U
                                     : labels.values[i] != 0 ? 2U
                                                             : 1U; },
         Connectivity::four, executor);
@@ -201,12 +201,12 @@ void drop_impassable(Raster<std::uint32_t>& labels, const Raster<float>& clearan
     });
 }
 
-void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<CellState>& states,
                         const Executor& executor) {
     const auto floor = tally_by_label<std::uint8_t>(
         labels, executor,
         [&](std::uint8_t& seen, const LabelRun& run) {
-            if (seen == 0 && std::memchr(&free.values[run.offset], 1, run.num_cells) != nullptr) {
+            if (seen == 0 && std::memchr(&states.values[run.offset], static_cast<int>(CellState::free), run.num_cells) != nullptr) {
                 seen = 1;
             }
         },
@@ -214,7 +214,7 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t
     drop(labels, floor.size(), executor, [&](std::uint32_t label) { return floor[label] == 0; });
 }
 
-Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<CellState>& states,
                        double resolution_m, double max_pocket_m2, const Executor& executor) {
     const double max_pocket_cells = max_pocket_m2 / (resolution_m * resolution_m);
     const auto max_small = static_cast<std::size_t>(max_pocket_cells);
@@ -226,7 +226,7 @@ Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>
         [](std::size_t& count, std::size_t other) { count += other; });
     Adoption adoption;
     for (const std::vector<std::size_t>& pocket :
-         find_pockets(labels, free, max_pocket_cells, executor)) {
+         find_pockets(labels, states, max_pocket_cells, executor)) {
         const std::uint32_t label = labels.values[pocket.front()];
         const bool is_room = label != 0;
         // It is connected with a room through furniture.
@@ -234,7 +234,7 @@ Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>
         const bool is_small = pocket.size() <= max_small;
         std::vector<std::uint32_t> own;
         for (const std::size_t cell : pocket) own.push_back(std::exchange(labels.values[cell], 0));
-        const OutlineWalk walk = walk_through_outline(labels, free, pocket, outline_cells);
+        const OutlineWalk walk = walk_through_outline(labels, states, pocket, outline_cells);
         const std::uint32_t room = most_frequent(walk.ways);
         std::size_t num_ways = 0;
         for (const auto& [reached, count] : walk.ways) num_ways += count;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
+#include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -38,16 +39,16 @@ struct Adoption {
 
 /// Gives pockets to the room around them: connected free space, with or without a label, that may
 /// be the free inside of a cupboard, bin or table that is drawn as an outline. They have at most
-/// `max_pocket_m2` (small ones), or up to five times that. `free`: 1 = free in the map. A small
+/// `max_pocket_m2` (small ones), or up to five times that. `states`: of the map. A small
 /// pocket is given when at least a quarter of its border lies behind an outline at most 0.1 m thick
 /// from one room, a larger one when three fifths do and no other room is behind the rest. The
 /// outline between goes to that room, too, so that it stays connected; that of an enclosure goes to
 /// the pocket. O(cells).
-Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+Adoption adopt_pockets(Raster<std::uint32_t>& labels, const Raster<CellState>& states,
                        double resolution_m, double max_pocket_m2, const Executor& executor = {});
 
 /// Removes regions without a free cell: the furniture of a pocket that was adopted. O(cells).
-void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& free,
+void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<CellState>& states,
                         const Executor& executor = {});
 
 }  // namespace quadcut

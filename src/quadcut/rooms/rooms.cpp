@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/rooms/rooms.hpp"
 
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,8 +57,8 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     drop_impassable(labels, cut.clearance_m, options.min_passable_m, goes_on, executor);
     // What is enclosed by furniture belongs to the room around it; rooms stay connected.
     const Adoption adoption =
-        adopt_pockets(labels, floor.free, floor.resolution_m, kMaxPocketM2, executor);
-    drop_without_floor(labels, floor.free, executor);
+        adopt_pockets(labels, floor.states, floor.resolution_m, kMaxPocketM2, executor);
+    drop_without_floor(labels, floor.states, executor);
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
@@ -76,20 +77,26 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
                         const Executor& executor, Hierarchy* hierarchy) {
     RoomsCut cut;
     clock.begin("clearance");
+    cut.free_clearance_m = clearance_m(floor.kept, floor.resolution_m, executor);
+    if (std::getenv("NO_LINES") == nullptr) cut.lines = find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
     Raster<std::uint8_t> open =
         open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     clock.begin("cut");
-    open = {};  // The basins are the memory's peak.
-    Basins basins = build_basins(cut.clearance_m, floor.resolution_m, executor);
+    const bool all = std::getenv("BASIN_WALLS") == nullptr;
+    Basins basins = build_basins(all ? cut.free_clearance_m : cut.clearance_m, floor.resolution_m, executor);
+    if (!cut.lines.more_dm.values.empty() && std::getenv("NO_SPLIT") == nullptr) basins.count = split_at_lines(cut.lines, basins.labels, executor);
+    spread_labels(open, basins.labels);
+    open = {};
     cut.rooms = std::move(basins.labels);
     cut.num_pieces = basins.count;
     clock.begin("graph");
     // A whole map may be so large that there is no room for both.
     const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;
     if (keeps_pieces) cut.pieces = cut.rooms;
-    RegionGraph regions(keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces, cut.clearance_m,
-                        floor.resolution_m, executor);
+    RegionGraph regions(
+        keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces,
+        {cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines, floor.resolution_m}, executor);
     cut.report.num_leaves = cut.num_pieces;
     cut.report.num_edges = regions.num_saddles();
     if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);

@@ -20,8 +20,8 @@ namespace quadcut {
 struct FloorToCut {
     /// 1 = to be cut. Used up.
     Raster<std::uint8_t> kept;
-    /// 1 = free in the map.
-    const Raster<std::uint8_t>& free;
+    /// In the map.
+    const Raster<CellState>& states;
     double resolution_m = 0.05;
     /// For a window of a map, where what touches the edge goes on beyond it: says what the pieces
     /// (of RoomsCut) have there.
@@ -36,7 +36,10 @@ struct RoomsCut {
     /// What they were fused from, 1 .. num_pieces; 0 = none. Of a window only.
     Raster<std::uint32_t> pieces;
     std::uint32_t num_pieces = 0;
+    /// Among walls, and among all obstacles.
     Raster<float> clearance_m;
+    Raster<float> free_clearance_m;
+    WallLines lines;
     CutReport report;
 };
 

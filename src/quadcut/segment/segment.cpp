@@ -27,7 +27,7 @@ namespace quadcut {
 namespace {
 
 /// Numbers, doors and descriptions: what both presets end with. The rasters are laid out.
-void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridMap& map,
+void complete(Raster<std::uint32_t> labels, const Ground& ground, const GridMap& map,
               const Layout& layout, StageClock& clock, const Executor& executor,
               Segmentation& result) {
     clock.begin("doors");
@@ -36,10 +36,10 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
     }
-    result.doors = find_doors(labels, count, clearance,
+    result.doors = find_doors(labels, count, ground,
                               {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
     result.rooms =
-        describe_rooms(labels, count, map, layout, result.doors, executor, std::move(clearance));
+        describe_rooms(labels, count, map, layout, result.doors, executor);
     result.next_id = count + 1;
     result.labels =
         Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0, executor);
@@ -54,7 +54,7 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
 struct Floor {
     Layout layout;
     Raster<std::uint8_t> kept;
-    Raster<std::uint8_t> free;
+    Raster<CellState> states;
 };
 
 Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, double min_component_m2,
@@ -63,10 +63,7 @@ Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, doubl
     const Raster<std::uint8_t> kept = inside(map, trajectory, min_component_m2, executor);
     floor.layout = standard_layout(kept, executor);
     floor.kept = laid_out<std::uint8_t>(kept, floor.layout, 0, executor);
-    floor.free = Raster<std::uint8_t>(floor.kept.box(), 0, executor);
-    for_each_laid_out(map.states, floor.layout, executor, [&](std::size_t to, std::size_t from) {
-        floor.free.values[to] = map.states.values[from] == CellState::free ? 1 : 0;
-    });
+    floor.states = laid_out<CellState>(map.states, floor.layout, CellState::unknown, executor);
     return floor;
 }
 
@@ -81,17 +78,16 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     if (drops_uncrossed(options)) way = visited_cells(map, trajectory);
     for (Cell& cell : way) cell = floor.layout.place_of(cell);
     RoomsCut cut = cut_into_rooms(
-        {std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps},
+        {std::move(floor.kept), floor.states, map.resolution_m, {}, options.paper.num_submaps},
         options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
-    floor.free = {};
     if (options.with_hierarchy) {
         Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);
         put_back(result.hierarchy.finest, floor.layout, finest, executor);
         result.hierarchy.finest = std::move(finest);
     }
     drop_uncrossed(cut.rooms, way);
-    complete(std::move(cut.rooms), std::move(cut.clearance_m), map, floor.layout, clock, executor,
+    complete(std::move(cut.rooms), {cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines, map.resolution_m}, map, floor.layout, clock, executor,
              result);
     return result;
 }
@@ -146,7 +142,8 @@ Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options
     Raster<float> clearance =
         clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);
     clearance.origin = {0, 0};
-    complete(std::move(labels), std::move(clearance), map, as_it_lies(map.states.box()), clock,
+    const WallLines no_lines;
+    complete(std::move(labels), {clearance, clearance, map.states, no_lines, map.resolution_m}, map, as_it_lies(map.states.box()), clock,
              executor, result);
     return result;
 }

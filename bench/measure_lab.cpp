@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+// How well the door model tells doors from bulges, cut by cut, and the samples it is trained on:
+//   measure_doors [-o SAMPLES.csv] [--buildings N] [--pieces basins|spectral]
+// Cuts are decided as the truth has it, the least door-like first, as fuse() does: so a sample
+// stands for a decision that really comes up. See docs/decisions/0008-door-model.md.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <queue>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "bench/cases.hpp"
+#include "bench/data_map.hpp"
+#include "bench/resampling.hpp"
+#include "bench/building_case.hpp"
+#include "eval/labels.hpp"
+#include "eval/score.hpp"
+#include "quadcut/segment/segment.hpp"
+#include "quadcut/map/clearance.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "quadcut/rooms/basins.hpp"
+#include "quadcut/rooms/contracted_graph.hpp"
+#include "quadcut/rooms/door_model.hpp"
+#include "quadcut/rooms/fuse.hpp"
+#include "quadcut/rooms/open_space.hpp"
+#include "quadcut/rooms/region_graph.hpp"
+#include "quadcut/rooms/spectral_pieces.hpp"
+#include "quadcut/segment/inside.hpp"
+#include "quadcut/segment/options.hpp"
+#include "sim/building.hpp"
+#include "sim/robot.hpp"
+
+namespace quadcut {
+namespace {
+
+/// Smaller regions are joined anyway; what their truth is says little.
+constexpr double kMinAreaM2 = 0.5;
+/// Other directions and resolutions than those that measure_invariance tries.
+constexpr std::array<double, 3> kTurnedDegrees{17.0, 37.0, 60.0};
+constexpr std::array<double, 2> kScaled{0.7, 1.5};
+/// From these log-odds on a cut is kept.
+const double kKept = fuse_threshold(RoomsOptions{}.granularity);
+/// A component this small is the inside of furniture, not of a building.
+constexpr double kMinComponentM2 = 4.0;
+
+/// Of what door_cues() measures, in its order.
+constexpr std::array<std::string_view, kNumDoorCues> kCueNames{"half_width_m","narrower_peak_1.5","narrower_peak_3","narrower_peak_5","wider_peak_1.5","wider_peak_3","wider_peak_5","narrower_reach","wider_reach","narrower_area_5","wider_area_5","narrower_area_3_m2","wider_area_3_m2","less_thin_wall_m","more_thin_wall_m","less_flush_wall_m","more_flush_wall_m","border_ratio","widening_1_less_m","widening_1_more_m","widening_2_less_m","widening_2_more_m","jamb_distance_m","narrower_spread_3","wider_spread_3","less_spread_3","more_spread_3","narrower_spread_5","wider_spread_5","narrower_region_m2","wider_region_m2","narrower_region_peak","wider_region_peak","narrower_elongation","wider_elongation","narrower_openings","wider_openings","less_line_m","more_line_m","free_half_width_m","free_narrower_peak_1.5","free_narrower_peak_3","free_narrower_peak_5","free_wider_peak_1.5","free_wider_peak_3","free_wider_peak_5","free_narrower_reach","free_wider_reach","free_narrower_area_5","free_wider_area_5","free_narrower_area_3_m2","free_wider_area_3_m2","free_less_thin_wall_m","free_more_thin_wall_m","free_less_flush_wall_m","free_more_flush_wall_m","free_border_ratio","free_widening_1_less_m","free_widening_1_more_m","free_widening_2_less_m","free_widening_2_more_m","free_jamb_distance_m","free_narrower_spread_3","free_wider_spread_3","free_less_spread_3","free_more_spread_3","free_narrower_spread_5","free_wider_spread_5","free_narrower_region_m2","free_wider_region_m2","free_narrower_region_peak","free_wider_region_peak","free_narrower_elongation","free_wider_elongation","free_narrower_openings","free_wider_openings","free_less_line_m","free_more_line_m","share_in_line","less_wall_m","more_wall_m","free_share_in_line","free_less_wall_m","free_more_wall_m","narrow_solidity","narrow_thickness_m","narrow_aspect","narrow_fill","narrow_open_share","narrow_width","narrow_free_width","wide_solidity","wide_thickness_m","wide_aspect","wide_fill","wide_open_share","wide_width","wide_free_width","joined_solidity","joined_thickness_m","joined_aspect","joined_fill","joined_open_share","joined_width","joined_free_width","width_ratio","hull_growth","less_open_line_m","more_open_line_m","less_free_line_m","more_free_line_m"};
+
+/// One decision: the cues, and whether the truth has a cut there.
+struct Sample {
+    std::array<float, kNumDoorCues> cues{};
+    double log_odds = 0.0;
+    bool is_cut = false;
+};
+
+/// Which true room most of each region is in; nothing where that is not clear.
+class RegionTruth {
+public:
+    RegionTruth(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                const Raster<std::uint32_t>& truth)
+        : shares_(num_pieces + 1), num_cells_(num_pieces + 1, 0) {
+        for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+            ++num_cells_[pieces.values[i]];
+            if (truth.values[i] != 0) ++shares_[pieces.values[i]][truth.values[i]];
+        }
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        for (const auto& [room, count] : shares_[b]) shares_[a][room] += count;
+        num_cells_[a] += num_cells_[b];
+    }
+    /// 0 if it is not clear.
+    [[nodiscard]] std::uint32_t room_of(std::uint32_t region) const {
+        std::size_t sum = 0;
+        std::pair<std::uint32_t, std::size_t> most{0, 0};
+        for (const auto& [room, count] : shares_[region]) {
+            sum += count;
+            if (count > most.second) most = {room, count};
+        }
+        const bool is_clear = 10 * sum >= 3 * num_cells_[region] && 10 * most.second >= 6 * sum;
+        return is_clear ? most.first : 0;
+    }
+
+private:
+    std::vector<std::map<std::uint32_t, std::size_t>> shares_;
+    std::vector<std::size_t> num_cells_;
+};
+
+struct Candidate {
+    Sample sample;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t version_a = 0;
+    std::uint32_t version_b = 0;
+    friend bool operator<(const Candidate& p, const Candidate& q) {
+        return std::tie(p.sample.log_odds, p.a, p.b) > std::tie(q.sample.log_odds, q.a, q.b);
+    }
+};
+
+/// Joins what is one piece before anything is decided.
+void join_spectral_pieces(RegionGraph& regions, RegionTruth& rooms) {
+    const ContractedGraph contracted = contract(regions);
+    join_pieces(regions, contracted, cut_spectrally(contracted.graph, RoomsOptions{}.min_room_m2));
+    for (std::uint32_t piece = 1; piece <= regions.num_pieces(); ++piece) {
+        if (!regions.is_region(piece)) rooms.join(regions.region_of(piece), piece);
+    }
+}
+
+std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth,
+                                    PieceSource pieces) {
+    const auto kept = inside(map, {}, kMinComponentM2);
+    const char* furn = std::getenv("FURN");
+    const auto open = open_space(kept, map.resolution_m, furn ? std::atof(furn) : RoomsOptions{}.max_furniture_m2);
+    const Raster<float> clearance = clearance_m(open, map.resolution_m);
+    const Raster<float> free_clearance = clearance_m(kept, map.resolution_m);
+    const bool all = std::getenv("BASIN_WALLS") == nullptr;
+    Basins basins = build_basins(all ? free_clearance : clearance, map.resolution_m);
+    WallLines lines;
+    if (std::getenv("NO_LINES") == nullptr) lines = find_wall_lines(kept, map.resolution_m, 4.0);
+    if (!lines.more_dm.values.empty() && std::getenv("NO_SPLIT") == nullptr) basins.count = split_at_lines(lines, basins.labels);
+    spread_labels(open, basins.labels);
+    RegionGraph regions(basins.labels, basins.count, {clearance, free_clearance, map.states, lines, map.resolution_m});
+    RegionTruth rooms(basins.labels, basins.count, truth);
+    if (pieces == PieceSource::spectral) join_spectral_pieces(regions, rooms);
+    std::priority_queue<Candidate> queue;
+    const auto push = [&](std::uint32_t a, std::uint32_t b) {
+        const BorderMeasure narrowing = regions.measure(a, b);
+        queue.push({{door_cues(narrowing), door_log_odds(narrowing), false},
+                    a,
+                    b,
+                    regions.version(a),
+                    regions.version(b)});
+    };
+    for (std::uint32_t region = 1; region <= basins.count; ++region) {
+        for (const auto& [other, saddle] : regions.saddles(region)) {
+            if (other > region) push(region, other);
+        }
+    }
+    std::vector<Sample> samples;
+    while (!queue.empty()) {
+        Candidate top = queue.top();
+        queue.pop();
+        if (!regions.is_region(top.a) || !regions.is_region(top.b) ||
+            regions.version(top.a) != top.version_a || regions.version(top.b) != top.version_b) {
+            continue;
+        }
+        const std::uint32_t room_a = rooms.room_of(top.a);
+        const std::uint32_t room_b = rooms.room_of(top.b);
+        const bool is_clear = room_a != 0 && room_b != 0;
+        top.sample.is_cut = is_clear ? room_a != room_b : top.sample.log_odds >= kKept;
+        const double area_m2 = std::min(regions.area_m2(top.a), regions.area_m2(top.b));
+        if (is_clear && area_m2 >= kMinAreaM2) samples.push_back(top.sample);
+        if (top.sample.is_cut) continue;
+        const bool a_larger = regions.area_m2(top.a) >= regions.area_m2(top.b);
+        const std::uint32_t heir = a_larger ? top.a : top.b;
+        const std::uint32_t other = a_larger ? top.b : top.a;
+        regions.join(heir, other);
+        rooms.join(heir, other);
+        for (const auto& [next, saddle] : regions.saddles(heir)) push(heir, next);
+    }
+    return samples;
+}
+
+struct EvalRow { std::string kind; double pq = 0; std::size_t rooms = 0, truth = 0; double ms = 0; };
+
+EvalRow evaluate(const std::string& kind, const GridMap& map, const Raster<std::uint32_t>& truth, bool is_void, std::span<const Point> trajectory) {
+    const auto start = std::chrono::steady_clock::now();
+    SegmentOptions options;
+    if (const char* g = std::getenv("GRAN")) options.rooms.granularity = std::atof(g);
+    if (const char* g = std::getenv("FURN")) options.rooms.max_furniture_m2 = std::atof(g);
+    if (const char* g = std::getenv("BASINS")) options.rooms.pieces = std::atoi(g) ? PieceSource::basins : PieceSource::spectral;
+    Segmentation rooms = segment(map, options, RunOptions{1}, trajectory);
+    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (is_void) {
+        std::vector<std::size_t> in(65536, 0), out(65536, 0);
+        for (std::size_t i = 0; i < truth.values.size(); ++i) {
+            if (map.states.values[i] != CellState::free) continue;
+            ++in[rooms.labels.values[i]];
+            if (truth.values[i] == 0) ++out[rooms.labels.values[i]];
+        }
+        for (auto& l : rooms.labels.values) if (2 * out[l] > in[l]) l = 0;
+    }
+    const auto score = eval::score_rooms(as_label_image(rooms.labels), as_label_image(truth));
+    return {kind, 100 * score.pq, score.rooms, score.truth, ms};
+}
+
+struct Tally {
+    std::size_t cuts = 0;
+    std::size_t missed = 0;
+    std::size_t others = 0;
+    std::size_t invented = 0;
+};
+
+class Report {
+public:
+    explicit Report(const std::string& csv) {
+        if (csv.empty()) return;
+        csv_.open(csv);
+        csv_ << "map,group,kind,is_cut";
+        for (const std::string_view name : kCueNames) csv_ << ',' << name;
+        csv_ << '\n';
+    }
+    void add(const std::string& map, const std::string& group, const std::string& kind,
+             const std::vector<Sample>& samples) {
+        Tally& tally = tallies_[kind];
+        for (const Sample& sample : samples) {
+            ++(sample.is_cut ? tally.cuts : tally.others);
+            if (sample.is_cut && sample.log_odds < kKept) ++tally.missed;
+            if (!sample.is_cut && sample.log_odds >= kKept) ++tally.invented;
+            if (!csv_.is_open()) continue;
+            csv_ << map << ',' << group << ',' << kind << ',' << (sample.is_cut ? 1 : 0);
+            for (const float cue : sample.cues) csv_ << ',' << cue;
+            csv_ << '\n';
+        }
+    }
+    void print() const {
+        std::printf("| maps | cuts | missed | no cuts | invented |\n|---|---|---|---|---|\n");
+        for (const auto& [kind, t] : tallies_) {
+            std::printf("| %s | %zu | %.1f %% | %zu | %.1f %% |\n", kind.c_str(), t.cuts,
+                        100.0 * static_cast<double>(t.missed) / static_cast<double>(t.cuts),
+                        t.others,
+                        100.0 * static_cast<double>(t.invented) / static_cast<double>(t.others));
+        }
+    }
+
+private:
+    std::ofstream csv_;
+    std::map<std::string, Tally> tallies_;
+};
+
+std::string building_of_real(const std::string& n) {
+    if (n.rfind("intel", 0) == 0) return "lab_intel";
+    if (n.rfind("fr101", 0) == 0) return "Freiburg101_scan";
+    if (n.find("cartesium") != std::string::npos) return "cartesium";
+    return n;
+}
+std::vector<DataMap> all_maps() {
+    namespace fs = std::filesystem;
+    std::vector<DataMap> maps = read_data_maps();
+    for (const char* f : {"data/real", "data/real/growing"}) {
+        const fs::path folder = shared_path(f);
+        std::vector<DataMap> some;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() != ".yaml") continue;
+            DataMap map;
+            map.name = entry.path().stem().string();
+            map.building = building_of_real(map.name);
+            map.kind = folder.filename() == "growing" ? "growing" : map.name == "campus_1" ? "campus" : "real";
+            map.map = io::read_map(entry.path()).map;
+            map.truth = io::read_label_image(folder / (map.name + ".rooms.png"));
+            some.push_back(std::move(map));
+        }
+        std::sort(some.begin(), some.end(), [](const DataMap& p, const DataMap& q) { return p.name < q.name; });
+        for (auto& m : some) maps.push_back(std::move(m));
+    }
+    return maps;
+}
+
+/// Each map as it is, and as it is when drawn in other directions and at other resolutions: the
+/// model should not depend on that.
+void add_data(PieceSource pieces, Report& report) {
+    const std::vector<DataMap> maps = all_maps();
+    const auto all = run_cases<std::vector<std::vector<Sample>>>(maps.size(), [&](std::size_t i) {
+        const DataMap& data = maps[i];
+        const Raster<std::uint32_t> truth = as_raster(data.truth);
+        std::vector<std::vector<Sample>> out;
+        out.push_back(decide_by_truth(data.map, truth, pieces));
+        const auto add_changed = [&](const Resampling& change) {
+            out.push_back(decide_by_truth(resample(data.map, change), resample_nearest(truth, change), pieces));
+        };
+        if (data.kind == "growing") return out;
+        for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
+        for (const double cells : kScaled) add_changed(scaled(data.map, cells));
+        return out;
+    });
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        for (std::size_t k = 0; k < all[i].size(); ++k) {
+            report.add(maps[i].name, maps[i].building, maps[i].kind + (k ? " changed" : ""), all[i][k]);
+        }
+    }
+}
+
+/// The labels of a building at the cells of another map of it.
+Raster<std::uint32_t> lab_truth_at(const sim::Building& building, const GridMap& map) {
+    Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
+    const Pose world_from_image = inverse(building.map.map_from_image);
+    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+        const Cell cell = truth.cell(i);
+        const Point at = transform(
+            world_from_image, transform(map.map_from_image, {(cell.x + 0.5) * map.resolution_m,
+                                                             (cell.y + 0.5) * map.resolution_m}));
+        const Cell in_building{
+            static_cast<std::int32_t>(std::floor(at.x / building.map.resolution_m)),
+            static_cast<std::int32_t>(std::floor(at.y / building.map.resolution_m))};
+        if (building.labels.contains(in_building)) {
+            truth.values[i] = building.labels.at(in_building);
+        }
+    }
+    return truth;
+}
+
+/// Buildings of all sizes and densities of furniture; each third also as a robot maps it.
+void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
+    const auto all = run_cases<std::array<std::vector<Sample>, 2>>(static_cast<std::size_t>(num_buildings), [&](std::size_t at) {
+        const int i = static_cast<int>(at);
+        std::array<std::vector<Sample>, 2> out;
+        sim::BuildingOptions options;
+        options.seed = static_cast<std::uint64_t>(1000 + i);
+        options.num_rooms = 8 + i * 7 % 40;
+        options.furniture = 0.01 * (i * 37 % 101);
+        if (i % 2 == 1) options.yaw_rad = 0.01 * (i * 53 % 157);
+        const sim::Building building = sim::generate_building(options);
+        out[0] = decide_by_truth(building.map, lab_truth_at(building, building.map), pieces);
+        if (i % 2 != 0) return out;
+        sim::RobotOptions robot;
+        robot.seed = options.seed;
+        const auto scans = sim::explore(building.map, sim::start_pose(building), robot).scans;
+        const GridMap map = map_from_scans(scans, options.resolution_m).to_grid();
+        out[1] = decide_by_truth(map, lab_truth_at(building, map), pieces);
+        return out;
+    });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string name = "seed_" + std::to_string(1000 + i);
+        report.add(name, name, "simulated", all[i][0]);
+        if (!all[i][1].empty()) report.add(name, name, "simulated and scanned", all[i][1]);
+    }
+}
+
+int run_eval(int argc, char** argv) {
+    std::string only; std::size_t sim = 0;
+    for (int i = 2; i + 1 < argc; i += 2) {
+        if (std::string(argv[i]) == "--only") only = argv[i + 1];
+        if (std::string(argv[i]) == "--sim") sim = std::stoul(argv[i + 1]);
+    }
+    std::vector<DataMap> maps;
+    for (DataMap& m : all_maps()) if (only.empty() || m.building == only || m.kind == only) maps.push_back(std::move(m));
+    const auto rows = run_cases<EvalRow>(maps.size() + sim, [&](std::size_t i) {
+        if (i >= maps.size()) {
+            const MappedBuilding mapped = map_building(building_case(i - maps.size()));
+            return evaluate("simulated", mapped.map, mapped.truth, false, mapped.trajectory);
+        }
+        const DataMap& d = maps[i];
+        return evaluate(d.kind, d.map, as_raster(d.truth), d.kind == "real" || d.kind == "growing" || d.kind == "campus", {});
+    });
+    std::map<std::string, std::pair<double, int>> sums; double ms = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string name = i < maps.size() ? maps[i].name : "sim " + std::to_string(i - maps.size());
+        std::printf("%-10s %-28s %5.1f %3zu / %3zu  %6.0f ms\n", rows[i].kind.c_str(), name.c_str(), rows[i].pq, rows[i].rooms, rows[i].truth, rows[i].ms);
+        auto& s = sums[rows[i].kind]; s.first += rows[i].pq; ++s.second; ms += rows[i].ms;
+    }
+    for (auto& [k, s] : sums) std::printf("%s %.1f  ", k.c_str(), s.first / s.second);
+    std::printf(" ms %.0f\n", ms);
+    return 0;
+}
+
+int run_dump(const std::string& name, const std::string& out) {
+    for (const DataMap& d : all_maps()) {
+        if (d.name != name) continue;
+        const auto kept = inside(d.map, {}, kMinComponentM2);
+        const auto open = open_space(kept, d.map.resolution_m, RoomsOptions{}.max_furniture_m2);
+        const Raster<float> free_clearance = clearance_m(kept, d.map.resolution_m);
+        Basins basins = build_basins(free_clearance, d.map.resolution_m);
+        std::printf("basins %u\n", basins.count);
+        const auto t = std::chrono::steady_clock::now();
+        const WallLines lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
+        std::printf("lines %.1f ms, directions", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t).count());
+        for (double a : main_directions(kept, d.map.resolution_m)) std::printf(" %.0f", a * 57.2958);
+        basins.count = split_at_lines(lines, basins.labels);
+        spread_labels(open, basins.labels);
+        std::printf("\npieces %u\n", basins.count);
+        Raster<std::uint16_t> l(basins.labels.box());
+        for (std::size_t i = 0; i < l.values.size(); ++i) l.values[i] = static_cast<std::uint16_t>(basins.labels.values[i]);
+        std::ofstream(out + "_pieces.png", std::ios::binary) << io::encode_label_png(l);
+        for (std::size_t i = 0; i < l.values.size(); ++i) l.values[i] = static_cast<std::uint16_t>(lines.less_dm.values[i] * 256 + lines.more_dm.values[i]);
+        std::ofstream(out + "_lines.png", std::ios::binary) << io::encode_label_png(l);
+    }
+    return 0;
+}
+
+int run(int argc, char** argv) {
+    if (argc == 4 && std::string(argv[1]) == "dump") return run_dump(argv[2], argv[3]);
+    if (argc > 1 && std::string(argv[1]) == "eval") return run_eval(argc, argv);
+    std::string csv;
+    int num_buildings = 100;
+    PieceSource pieces = RoomsOptions{}.pieces;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (std::string(argv[i]) == "-o") csv = argv[i + 1];
+        if (std::string(argv[i]) == "--buildings") num_buildings = std::stoi(argv[i + 1]);
+        if (std::string(argv[i]) != "--pieces") continue;
+        const bool is_spectral = std::string(argv[i + 1]) == "spectral";
+        pieces = is_spectral ? PieceSource::spectral : PieceSource::basins;
+    }
+    Report report(csv);
+    add_data(pieces, report);
+    add_simulated(num_buildings, pieces, report);
+    report.print();
+    return 0;
+}
+
+}  // namespace
+}  // namespace quadcut
+
+int main(int argc, char** argv) { return quadcut::run(argc, argv); }
