@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "sim/reality.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "quadcut/base/random.hpp"
+#include "quadcut/map/integrate.hpp"
+#include "sim/counted_map.hpp"
+#include "sim/scanner.hpp"
+#include "sim/world.hpp"
+
+namespace quadcut::sim {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+enum class Mapping { log_odds, counted, walls_unknown };
+
+// How one building is kept, and how one robot sees it.
+struct Site {
+    BuildingOptions building;
+    WorldOptions world;
+    ScannerOptions scanner;
+    RobotOptions robot;
+    // The share of the rooms that the robot enters.
+    double entered = 1.0;
+    Mapping mapping = Mapping::log_odds;
+};
+
+// Field of view and angle between beams, degrees, and range: those of robots of twenty years.
+struct LaserModel {
+    double field_deg;
+    double step_deg;
+    double range_m;
+};
+constexpr std::array<LaserModel, 6> kLasers{{{180.0, 1.0, 8.0},
+                                             {180.0, 1.0, 30.0},
+                                             {180.0, 0.5, 30.0},
+                                             {180.0, 0.5, 80.0},
+                                             {240.0, 0.5, 5.6},
+                                             {270.0, 0.5, 20.0}}};
+
+// Zero as often as `none` says.
+double some_or_none(Random& random, double none, double least, double most) {
+    const double choice = random.uniform();
+    const double value = random.uniform(least, most);
+    return choice < none ? 0.0 : value;
+}
+
+Site draw_site(const RealityOptions& options) {
+    Random random = Random(options.seed).fork(21);
+    const double c = options.clutter;
+    Site site;
+    site.building.seed = options.seed;
+    site.building.num_rooms = options.num_rooms;
+    site.building.resolution_m = options.resolution_m;
+    site.building.furniture = random.uniform(0.4, 1.0);
+    site.building.clutter = c * random.uniform(0.4, 1.0);
+    site.building.open_leaves = random.uniform(0.3, 0.9);
+    site.building.lobbies = c * 0.6;
+    site.building.yaw_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(-0.8, 0.8);
+    site.building.turned_wings = 0.4;
+    site.world = {options.seed, c * random.uniform(0.0, 0.55), c * random.uniform(0.0, 0.25),
+                  c * some_or_none(random, 0.35, 0.1, 0.6),
+                  c * some_or_none(random, 0.5, 0.05, 0.4)};
+    const LaserModel& laser = kLasers[random.below(kLasers.size())];
+    site.scanner.laser = {laser.field_deg * kDegree, laser.step_deg * kDegree, laser.range_m,
+                          random.uniform(0.005, 0.03), random.uniform(0.0, 0.05)};
+    site.scanner.glints = random.uniform(0.0, 0.3);
+    site.scanner.people = c * random.uniform(0.0, 0.2);
+    site.robot.seed = options.seed;
+    site.robot.laser.angle_step_rad = 45.0 * kDegree;
+    site.robot.survey = RobotOptions::Survey::floor;
+    site.robot.key_distance_m = random.uniform(0.2, 0.5);
+    site.robot.survey_range_m = random.uniform(3.0, 6.0);
+    site.robot.pose_noise_m = random.uniform(0.01, 0.01 + 0.05 * c);
+    site.robot.pose_noise_rad = random.uniform(0.1, 0.1 + 0.5 * c) * kDegree;
+    site.robot.pose_correlation = random.uniform(0.9, 0.99);
+    site.entered = 1.0 - c * random.uniform(0.1, 0.9);
+    const double mapping = random.uniform();
+    site.mapping = mapping < 0.6    ? Mapping::log_odds
+                   : mapping < 0.85 ? Mapping::counted
+                                    : Mapping::walls_unknown;
+    return site;
+}
+
+// The room of each cell of the world.
+Raster<std::uint16_t> labels_of(const World& world, const Building& building) {
+    const Raster<CellState>& states = world.map.states;
+    const Raster<std::uint16_t>& labels = building.bare_labels;
+    Raster<std::uint16_t> result(states.origin, states.width, states.height);
+    const auto shift_x = static_cast<std::int32_t>(std::lround(
+        (building.map.map_from_image.x - world.map.map_from_image.x) / world.map.resolution_m));
+    const auto shift_y = static_cast<std::int32_t>(std::lround(
+        (building.map.map_from_image.y - world.map.map_from_image.y) / world.map.resolution_m));
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const Cell cell = labels.cell(i);
+        result.at({cell.x + shift_x, cell.y + shift_y}) = labels.values[i];
+    }
+    return result;
+}
+
+// Rooms that the robot leaves out.
+std::vector<bool> left_out(const Building& building, double entered, Random random) {
+    std::vector<bool> result(building.rooms.size() + 1, false);
+    for (const TrueRoom& room : building.rooms) {
+        const double share = room.kind == RoomKind::room ? entered : 0.5 + 0.5 * entered;
+        result[static_cast<std::size_t>(room.id)] = random.uniform() >= share;
+    }
+    return result;
+}
+
+Exploration drive(const World& world, const Building& building, const Site& site) {
+    const Raster<std::uint16_t> labels = labels_of(world, building);
+    const Random random = Random(site.robot.seed).fork(22);
+    const std::vector<bool> omitted = left_out(building, site.entered, random.fork(0));
+    const Raster<CellState>& states = world.map.states;
+    Raster<std::uint8_t> passed_by(states.origin, states.width, states.height);
+    Raster<std::uint8_t> ways = passed_by;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        const std::uint16_t room = labels.values[i];
+        passed_by.values[i] = omitted[room] ? 1 : 0;
+        const bool is_way = room != 0 && building.rooms[room - 1U].kind == RoomKind::corridor;
+        ways.values[i] = is_way && states.values[i] == CellState::free ? 1 : 0;
+    }
+    Explorer explorer(world.map, widest_place(ways, world.map), site.robot, std::move(passed_by));
+    Scanner scanner(world, site.scanner, random.fork(1));
+    Exploration exploration;
+    while (std::optional<KeyScan> key = explorer.next()) {
+        Scan scan = scanner.scan(key->true_pose);
+        scan.time_s = key->scan.time_s;
+        scan.world_from_sensor = key->scan.world_from_sensor;
+        exploration.scans.push_back(std::move(scan));
+        exploration.true_poses.push_back(key->true_pose);
+    }
+    return exploration;
+}
+
+// Some programs save only what they are sure is free.
+void forget_walls(GridMap& map) {
+    const Raster<CellState> before = map.states;
+    for (std::size_t i = 0; i < before.values.size(); ++i) {
+        if (before.values[i] != CellState::occupied) continue;
+        const Cell cell = before.cell(i);
+        for_each_cell({{cell.x - 1, cell.y - 1}, {cell.x + 1, cell.y + 1}}, [&](const Cell& near) {
+            if (map.states.contains(near)) map.states.at(near) = CellState::unknown;
+        });
+    }
+}
+
+GridMap map_of(const std::vector<Scan>& scans, const Site& site) {
+    const double resolution_m = site.building.resolution_m;
+    if (site.mapping == Mapping::counted) return counted_map(scans, resolution_m);
+    GridMap map = map_from_scans(scans, resolution_m).to_grid();
+    if (site.mapping == Mapping::walls_unknown) forget_walls(map);
+    return map;
+}
+
+// Less than this of a room is not worth a name.
+constexpr double kLeastSeenM2 = 1.5;
+constexpr double kLeastSeenShare = 0.1;
+
+Raster<std::uint32_t> truth_of(const Building& building, const GridMap& map) {
+    const GridMap& from = building.bare;
+    const Raster<std::uint16_t>& labels = building.bare_labels;
+    Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
+    const Pose building_from_map = compose(inverse(from.map_from_image), map.map_from_image);
+    std::vector<std::size_t> num_seen(building.rooms.size() + 1, 0);
+    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+        if (map.states.values[i] != CellState::free) continue;
+        const Cell cell = truth.cell(i);
+        const Point at = transform(building_from_map, {(cell.x + 0.5) * map.resolution_m,
+                                                       (cell.y + 0.5) * map.resolution_m});
+        const Cell there{static_cast<std::int32_t>(std::floor(at.x / from.resolution_m)),
+                         static_cast<std::int32_t>(std::floor(at.y / from.resolution_m))};
+        if (labels.contains(there)) truth.values[i] = labels.at(there);
+        ++num_seen[truth.values[i]];
+    }
+    const double cell_m2 = map.resolution_m * map.resolution_m;
+    for (std::uint32_t& room : truth.values) {
+        if (room == 0) continue;
+        const double seen_m2 = static_cast<double>(num_seen[room]) * cell_m2;
+        const double least =
+            std::max(kLeastSeenM2, kLeastSeenShare * building.rooms[room - 1].area_m2);
+        if (seen_m2 < std::min(least, building.rooms[room - 1].area_m2)) room = 0;
+    }
+    return truth;
+}
+
+}  // namespace
+
+RealMap scan_as_robots_do(const RealityOptions& options) {
+    const Site site = draw_site(options);
+    RealMap real;
+    real.building_options = site.building;
+    real.building = generate_building(site.building);
+    real.exploration = drive(draw_world(real.building, site.world), real.building, site);
+    real.map = map_of(real.exploration.scans, site);
+    real.truth = truth_of(real.building, real.map);
+    for (const Scan& scan : real.exploration.scans) {
+        real.trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
+    }
+    return real;
+}
+
+}  // namespace quadcut::sim
