@@ -16,12 +16,11 @@ namespace quadcut {
 
 namespace threshold_baseline_steps {
 
-/// The parts of what is wider than a level, numbered from 1; parts that are too small or too large
-/// for a room stay 0. And how many there are.
+/// The parts of what is wider than a level, numbered from 1; parts that are too small for a
+/// room stay 0. And how many there are.
 inline std::pair<Raster<std::uint32_t>, std::uint32_t> parts_above(const Raster<float>& clearance,
-                                                                   double level_m, double cell_m2,
-                                                                   double least_m2,
-                                                                   double most_m2) {
+                                                                   double level_m,
+                                                                   std::size_t least_cells) {
     std::pair<Raster<std::uint32_t>, std::uint32_t> parts{
         {clearance.origin, clearance.width, clearance.height}, 0};
     std::vector<bool> seen(clearance.values.size(), false);
@@ -31,8 +30,7 @@ inline std::pair<Raster<std::uint32_t>, std::uint32_t> parts_above(const Raster<
     for (std::size_t start = 0; start < seen.size(); ++start) {
         if (seen[start] || !is_wide(start)) continue;
         const auto part = flood(clearance, start, seen, Connectivity::eight, is_wide);
-        const double area_m2 = static_cast<double>(part.size()) * cell_m2;
-        if (area_m2 < least_m2 || area_m2 > most_m2) continue;
+        if (part.size() < least_cells) continue;
         ++parts.second;
         for (const std::size_t i : part) parts.first.values[i] = parts.second;
     }
@@ -58,13 +56,12 @@ inline void spread(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& op
 
 }  // namespace threshold_baseline_steps
 
-/// Rooms by the distance transform (Bormann et al. 2016, "Room segmentation: survey, implementation,
-/// and analysis"): of all levels of clearance, the one above which there are most parts of a room's
-/// size; the rest goes to the nearest part. With the bounds of their program, 0.35 to 163 m2.
+/// Rooms by the distance transform (Bormann et al. 2016, "Room segmentation: survey,
+/// implementation, and analysis"): of all levels of clearance, the one above which there are most
+/// parts of at least 0.35 m2 (as in their program); the rest goes to the nearest part.
 [[nodiscard]] inline Raster<std::uint32_t> threshold_baseline(const GridMap& map) {
     using namespace threshold_baseline_steps;
     constexpr double kLeastM2 = 0.35;
-    constexpr double kMostM2 = 163.0;
     constexpr double kStepM = 0.05;
     constexpr double kHighestM = 4.0;
     Raster<std::uint8_t> open(map.states.origin, map.states.width, map.states.height);
@@ -73,9 +70,10 @@ inline void spread(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& op
     }
     const Raster<float> clearance = clearance_m(open, map.resolution_m);
     std::pair<Raster<std::uint32_t>, std::uint32_t> best;
-    const double cell_m2 = map.resolution_m * map.resolution_m;
+    const auto least_cells =
+        static_cast<std::size_t>(kLeastM2 / (map.resolution_m * map.resolution_m));
     for (double level = kHighestM; level > 0.5 * kStepM; level -= kStepM) {
-        auto parts = parts_above(clearance, level, cell_m2, kLeastM2, kMostM2);
+        auto parts = parts_above(clearance, level, least_cells);
         if (best.first.values.empty() || parts.second > best.second) best = std::move(parts);
     }
     spread(best.first, open);

@@ -36,8 +36,8 @@ struct BuildingOptions {
     double yaw_rad = 0.0;
     /// The share of doors whose leaf stands open in the room, 0..1.
     double open_leaves = 0.3;
-    /// 0: furniture as architects draw it, with ways for a robot; 1: as people leave it, in rows and
-    /// islands, along corridors and beside doors, chairs pushed about.
+    /// 0: furniture as architects draw it, with ways for a robot; 1: as people leave it, in rows
+    /// and islands, along corridors and beside doors, chairs pushed about.
     double clutter = 0.0;
     /// How often a corridor ends in a lobby or a round hall that it enters at its full width, and
     /// how often it has niches, 0..1.

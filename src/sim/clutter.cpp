@@ -69,8 +69,8 @@ void add_desk_rows(Furnisher& furnisher, double amount, Random& random) {
             const double y = across * (i + 0.5) / std::max(1, lines) + random.uniform(-0.2, 0.2);
             const Point middle = along_x ? Point{r.x0 + x, r.y0 + y} : Point{r.x0 + y, r.y0 + x};
             if (random.uniform() < 0.35 + 0.6 * amount) {
-                furnisher.add_free(desk_row_piece(make, columns, desk, partitions, random),
-                                   part, middle, along_x ? 0 : 1, 0.03);
+                furnisher.add_free(desk_row_piece(make, columns, desk, partitions, random), part,
+                                   middle, along_x ? 0 : 1, 0.03);
             }
             // Often a gap to walk through before the next ones.
             begin += wide + (random.uniform() < 0.6 ? random.uniform(0.7, 1.4) : 0.05);
@@ -116,10 +116,10 @@ void add_litter(Furnisher& furnisher, double amount, Random& random) {
     for (const FloorPart& part : furnisher.room().parts) {
         for (int i = count_of(amount * per_m2 * part.rect.area(), random); i > 0; --i) {
             const double choice = random.uniform();
-            const Piece piece = choice < 0.55  ? chair_piece(make, random)
-                                : choice < 0.8 ? post_piece(random.uniform(0.03, 0.18), 0.0)
-                                               : box_piece(random.uniform(0.15, 0.7),
-                                                           random.uniform(0.15, 0.5));
+            const Piece piece =
+                choice < 0.55  ? chair_piece(make, random)
+                : choice < 0.8 ? post_piece(random.uniform(0.03, 0.18), 0.0)
+                               : box_piece(random.uniform(0.15, 0.7), random.uniform(0.15, 0.5));
             furnisher.add_free(piece, part, somewhere(part.rect, random),
                                static_cast<int>(random.below(4)), 0.8);
         }

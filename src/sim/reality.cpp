@@ -32,7 +32,8 @@ struct Site {
     Mapping mapping = Mapping::log_odds;
 };
 
-// Field of view and angle between beams, degrees, and range: those of robots of twenty years.
+// Field of view and angle between beams, degrees, and range (which a float holds exactly): those of
+// robots of twenty years.
 struct LaserModel {
     double field_deg;
     double step_deg;
@@ -42,7 +43,7 @@ constexpr std::array<LaserModel, 6> kLasers{{{180.0, 1.0, 8.0},
                                              {180.0, 1.0, 30.0},
                                              {180.0, 0.5, 30.0},
                                              {180.0, 0.5, 80.0},
-                                             {240.0, 0.5, 5.6},
+                                             {240.0, 0.5, 5.5},
                                              {270.0, 0.5, 20.0}}};
 
 // Zero as often as `none` says.

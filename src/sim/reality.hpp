@@ -31,7 +31,8 @@ struct RealMap {
     /// Scans with the poses that a SLAM system reports, and the true ones.
     Exploration exploration;
     GridMap map;
-    /// The room of each free cell of `map`; 0 outdoors and in rooms of which next to nothing was seen.
+    /// The room of each free cell of `map`; 0 outdoors and in rooms of which next to nothing was
+    /// seen.
     Raster<std::uint32_t> truth;
     /// Where the robot says that it has been.
     std::vector<Point> trajectory;

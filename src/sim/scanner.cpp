@@ -88,8 +88,8 @@ void Scanner::stand_in_the_way(Scan& scan) const {
             for (double i = std::max(0.0, first); i <= last; ++i) {
                 const auto beam = static_cast<std::size_t>(i);
                 if (beam >= scan.ranges_m.size()) break;
-                scan.ranges_m[beam] = std::min(scan.ranges_m[beam],
-                                               static_cast<float>(away - kLeg));
+                scan.ranges_m[beam] =
+                    std::min(scan.ranges_m[beam], static_cast<float>(away - kLeg));
             }
         }
     }

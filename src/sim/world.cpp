@@ -55,6 +55,9 @@ private:
         return grid_.contains(cell) ? bare_.at(cell) : CellState::unknown;
     }
     [[nodiscard]] std::uint32_t label_at(const Point& p) const;
+    [[nodiscard]] RoomKind kind_of(RoomId room) const {
+        return building_.rooms[static_cast<std::size_t>(room) - 1].kind;
+    }
     struct Section {
         double thickness = 0.0;
         Beyond beyond = Beyond::outside;
@@ -89,8 +92,8 @@ void WorldBuilder::lay_out_ground() {
         const std::size_t from = map.states.offset({0, y});
         const std::size_t to = bare_.offset({margin_, y + margin_});
         const auto copy = [&](const Raster<CellState>& source, Raster<CellState>& target) {
-            std::copy_n(source.values.begin() + static_cast<std::ptrdiff_t>(from),
-                        source.width, target.values.begin() + static_cast<std::ptrdiff_t>(to));
+            std::copy_n(source.values.begin() + static_cast<std::ptrdiff_t>(from), source.width,
+                        target.values.begin() + static_cast<std::ptrdiff_t>(to));
         };
         copy(map.states, world_.map.states);
         copy(building_.bare.states, bare_);
@@ -109,7 +112,11 @@ void WorldBuilder::shut_doors() {
         const double choice = random_.uniform();
         const double turn = random_.uniform(0.2, 1.1) * (random_.uniform() < 0.5 ? 1.0 : -1.0);
         const bool hinge_first = random_.uniform() < 0.5;
-        if (door.is_open_passage || choice >= options_.closed_doors + options_.doors_ajar) continue;
+        // Fire doors are held open by magnets.
+        const bool is_fire_door =
+            kind_of(door.a) == RoomKind::corridor && kind_of(door.b) == RoomKind::corridor;
+        const bool is_open = choice >= options_.closed_doors + options_.doors_ajar;
+        if (door.is_open_passage || is_fire_door || is_open) continue;
         const Point from = hinge_first ? door.jamb_1 : door.jamb_2;
         const Point to = hinge_first ? door.jamb_2 : door.jamb_1;
         const double angle = std::atan2(to.y - from.y, to.x - from.x) +
