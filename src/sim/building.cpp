@@ -247,11 +247,11 @@ Building generate_building(const BuildingOptions& options) {
     check(options.num_rooms >= 3 && options.num_rooms <= 1000, "rooms: expected 3..1000");
     check(options.turned_wings >= 0.0 && options.turned_wings <= 1.0,
           "turned_wings: expected 0..1");
-    check(options.lobbies >= 0.0 && options.lobbies <= 1.0, "lobbies: expected 0..1");
+    check(options.openness >= 0.0 && options.openness <= 1.0, "openness: expected 0..1");
     check(std::isfinite(options.yaw_rad), "yaw: expected a finite angle");
     check(options.num_wings >= 0 && options.num_wings <= 20, "wings: expected 0..20");
     const Layout layout = draw_layout({options.seed, options.num_rooms, options.turned_wings,
-                                       options.num_wings, options.yaw_rad, options.lobbies});
+                                       options.num_wings, options.yaw_rad, options.openness});
     Building building = draw_building(layout.plan, options);
     for (std::size_t i = 0; i < building.rooms.size(); ++i) {
         building.rooms[i].wing = layout.wing_of_room[i];

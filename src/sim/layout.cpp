@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sim/column.hpp"
+#include "sim/openness.hpp"
 #include "sim/skeleton.hpp"
 #include "sim/unit.hpp"
 
@@ -95,8 +96,7 @@ private:
     void build_wing(const Skeleton& skeleton, const WingStyle& style, const Frame& frame,
                     std::optional<std::size_t> entry, std::size_t entry_room);
     void close_end(const OpenEnd& open);
-    bool add_lobby(const OpenEnd& open);
-    bool add_round_hall(const OpenEnd& open);
+    bool add_lobby_at(const OpenEnd& open);
     [[nodiscard]] double frontage_for(int rooms) const;
 
     LayoutOptions options_;
@@ -295,56 +295,20 @@ bool LayoutBuilder::add_wing(double frontage) {
     return true;
 }
 
-// A hall that the corridor enters at its full width.
-bool LayoutBuilder::add_lobby(const OpenEnd& open) {
-    const double depth = random_.uniform(4.0, 10.0);
-    const double half = 0.5 * open.corridor_m;
-    const double left = half + random_.uniform(0.0, 5.0);
-    const double right = half + random_.uniform(1.0, 5.0);
-    const std::vector<Polygon> space{
-        to_polygon(open.frame, {-left - 0.25, 0.3, right + 0.25, depth + 0.25})};
+bool LayoutBuilder::add_lobby_at(const OpenEnd& open) {
+    if (options_.openness <= 0.0 || random_.uniform() >= options_.openness) return false;
+    const Lobby lobby = draw_lobby(open.corridor_m, random_);
+    const std::vector<Polygon> space{to_polygon(open.frame, lobby.space())};
     if (!is_free(space)) return false;
-    Plan& plan = layout_.plan;
-    const Rect rect{-left, kJointWallM, right, depth};
-    const RoomUse use = rect.area() > 60.0 ? RoomUse::hall : RoomUse::lounge;
-    const std::size_t room = plan.add_room(use, open.frame, rect, 0.2);
-    plan.doors.push_back({open.room, room, open.frame, {-half, 0.0, half, kJointWallM}, true});
-    layout_.wing_of_room.resize(plan.rooms.size(), layout_.wing_of_room[open.room]);
-    footprint_.push_back(space.front());
-    return true;
-}
-
-// The same, round: the corridor's end is a chord of it.
-bool LayoutBuilder::add_round_hall(const OpenEnd& open) {
-    const double radius = std::max(open.corridor_m, random_.uniform(2.5, 5.5));
-    const double half = 0.5 * open.corridor_m;
-    const double middle = std::sqrt(radius * radius - half * half);
-    const std::vector<Polygon> space{
-        to_polygon(open.frame, {-radius - 0.25, 0.3, radius + 0.25, middle + radius + 0.25})};
-    if (!is_free(space)) return false;
-    Polygon circle;
-    constexpr int kCorners = 36;
-    for (int i = 0; i < kCorners; ++i) {
-        const double angle = 2.0 * M_PI * i / kCorners;
-        circle.push_back(open.frame.map(
-            {radius * std::cos(angle), std::max(0.0, middle + radius * std::sin(angle))}));
-    }
-    Plan& plan = layout_.plan;
-    const double side = radius / std::sqrt(2.0);
-    const std::size_t room = plan.add_room(RoomUse::lounge, open.frame,
-                                           {-side, middle - side, side, middle + side}, 0.2);
-    plan.rooms[room].wedges.push_back(circle);
-    plan.doors.push_back({open.room, room, open.frame, {-half, 0.0, half, 0.0}, true});
-    layout_.wing_of_room.resize(plan.rooms.size(), layout_.wing_of_room[open.room]);
+    add_lobby(layout_.plan, lobby, open.frame, open.room);
+    layout_.wing_of_room.resize(layout_.plan.rooms.size(), layout_.wing_of_room[open.room]);
     footprint_.push_back(space.front());
     return true;
 }
 
 // A hall or a room across the end of a corridor, where there is space for one.
 void LayoutBuilder::close_end(const OpenEnd& open) {
-    if (options_.lobbies > 0.0 && random_.uniform() < options_.lobbies) {
-        if (random_.uniform() < 0.3 ? add_round_hall(open) : add_lobby(open)) return;
-    }
+    if (add_lobby_at(open)) return;
     const double wall = random_.uniform(0.12, 0.2);
     const double depth = random_.uniform(4.0, 9.0);
     const double left = 0.5 * open.corridor_m + random_.uniform(0.3, 5.0);
@@ -418,6 +382,9 @@ Layout draw_layout(const LayoutOptions& options) {
         if (error >= best_error) continue;
         best_error = error;
         best = std::move(layout);
+    }
+    if (options.openness > 0.0) {
+        widen_doors(best.plan, 0.6 * options.openness, random.fork(kTries + 1));
     }
     add_columns(best.plan, random.fork(kTries));
     return best;

@@ -21,9 +21,8 @@ struct LayoutOptions {
     int num_wings = 0;
     /// Direction of the first wing.
     double yaw_rad = 0.0;
-    /// How often a corridor's end is a lobby or a round hall that it enters at its full width,
-    /// 0..1.
-    double lobbies = 0.0;
+    /// 0: doors; 1: corridors end in lobbies and round halls, many rooms have wide openings.
+    double openness = 0.0;
 };
 
 struct Layout {

@@ -63,7 +63,7 @@ Site draw_site(const RealityOptions& options) {
     site.building.furniture = random.uniform(0.4, 1.0);
     site.building.clutter = c * random.uniform(0.4, 1.0);
     site.building.open_leaves = random.uniform(0.3, 0.9);
-    site.building.lobbies = c * 0.6;
+    site.building.openness = c * random.uniform(0.0, 0.7);
     site.building.yaw_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(-0.8, 0.8);
     site.building.turned_wings = 0.4;
     site.world = {options.seed, c * random.uniform(0.0, 0.55), c * random.uniform(0.0, 0.25),
