@@ -103,8 +103,10 @@ void widen_doors(Plan& plan, double share, Random random) {
         const RoomUse use = plan.rooms[door.b].use;
         const bool is_private = use == RoomUse::toilet || use == RoomUse::washroom ||
                                 use == RoomUse::bathroom || use == RoomUse::cubicle;
-        const double likely = is_way(door.a) && !is_way(door.b) ? share : 0.3 * share;
-        if (choice >= likely || is_private || door.is_open_passage) continue;
+        // Without a door between them, two corridors are one.
+        const bool is_fire_door = is_way(door.a) && is_way(door.b);
+        const double likely = is_way(door.a) ? share : 0.3 * share;
+        if (choice >= likely || is_private || is_fire_door || door.is_open_passage) continue;
         widen(plan, door, width);
         door.is_open_passage = true;
     }
