@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "sim/counted_map.hpp"
@@ -196,6 +197,10 @@ Raster<std::uint32_t> truth_of(const Building& building, const GridMap& map) {
 }  // namespace
 
 RealMap scan_as_robots_do(const RealityOptions& options) {
+    // Written so that NaN is refused as well.
+    if (!(options.clutter >= 0.0 && options.clutter <= 1.0)) {
+        throw InputError("clutter: expected 0..1");
+    }
     const Site site = draw_site(options);
     RealMap real;
     real.building_options = site.building;
