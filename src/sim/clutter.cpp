@@ -88,6 +88,17 @@ void add_islands(Furnisher& furnisher, int count, Random& random) {
     }
 }
 
+// What divides a room without making two of it: shelves and partitions that stand out of the wall.
+void add_dividers(Furnisher& furnisher, int count, Random& random) {
+    const Rect& r = furnisher.main_part().rect;
+    const double across = std::min(r.width(), r.height());
+    for (int i = 0; i < count; ++i) {
+        const double thickness = random.uniform() < 0.4 ? 0.08 : random.uniform(0.3, 0.5);
+        const double reach = random.uniform(0.25, 0.65) * across;
+        furnisher.add_at_wall(box_piece(thickness, reach), 0.4);
+    }
+}
+
 }  // namespace
 
 void add_fixtures(Furnisher& furnisher, double amount, Random& random) {
@@ -106,6 +117,7 @@ void add_fixtures(Furnisher& furnisher, double amount, Random& random) {
     for (int i = count_of(amount * std::sqrt(area) * 0.55, random); i > 0; --i) {
         add_shelves(furnisher, random.uniform(0.8, 3.2), 0.65, 0.0, random);
     }
+    if (area > 18.0) add_dividers(furnisher, count_of(amount * area / 40.0, random), random);
     if (area > 14.0) add_islands(furnisher, count_of(amount * area / 45.0, random), random);
 }
 

@@ -13,6 +13,7 @@
 #include "quadcut/map/integrate.hpp"
 #include "sim/counted_map.hpp"
 #include "sim/scanner.hpp"
+#include "sim/surveyed_truth.hpp"
 #include "sim/world.hpp"
 
 namespace quadcut::sim {
@@ -28,6 +29,9 @@ struct Site {
     WorldOptions world;
     ScannerOptions scanner;
     RobotOptions robot;
+    // Standard deviations of what SLAM leaves of the drift: it bends the map, slowly.
+    double drift_m = 0.0;
+    double drift_rad = 0.0;
     // The share of the rooms that the robot enters.
     double entered = 1.0;
     Mapping mapping = Mapping::log_odds;
@@ -67,8 +71,8 @@ Site draw_site(const RealityOptions& options) {
     site.building.openness = c * random.uniform(0.0, 0.7);
     site.building.yaw_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(-0.8, 0.8);
     site.building.turned_wings = 0.4;
-    site.world = {options.seed, c * random.uniform(0.0, 0.55), c * random.uniform(0.0, 0.25),
-                  c * some_or_none(random, 0.35, 0.1, 0.6),
+    site.world = {options.seed, c * some_or_none(random, 0.35, 0.05, 0.5),
+                  c * random.uniform(0.0, 0.25), c * some_or_none(random, 0.35, 0.1, 0.6),
                   c * some_or_none(random, 0.5, 0.05, 0.4)};
     const LaserModel& laser = kLasers[random.below(kLasers.size())];
     site.scanner.laser = {laser.field_deg * kDegree, laser.step_deg * kDegree, laser.range_m,
@@ -80,16 +84,42 @@ Site draw_site(const RealityOptions& options) {
     site.robot.survey = RobotOptions::Survey::floor;
     site.robot.key_distance_m = random.uniform(0.2, 0.5);
     site.robot.survey_range_m = random.uniform(3.0, 6.0);
-    site.robot.pose_noise_m = random.uniform(0.01, 0.01 + 0.05 * c);
-    site.robot.pose_noise_rad = random.uniform(0.1, 0.1 + 0.5 * c) * kDegree;
-    site.robot.pose_correlation = random.uniform(0.9, 0.99);
-    site.entered = 1.0 - c * random.uniform(0.1, 0.9);
+    site.robot.pose_noise_m = random.uniform(0.01, 0.01 + 0.03 * c);
+    site.robot.pose_noise_rad = random.uniform(0.1, 0.1 + 0.3 * c) * kDegree;
+    site.drift_m = c * random.uniform(0.02, 0.15);
+    site.drift_rad = c * random.uniform(0.1, 1.0) * kDegree;
+    // Some robots look into every room, some go by all of them.
+    const double errand = random.uniform();
+    const double passed_by = errand < 0.4   ? random.uniform(0.0, 0.15)
+                             : errand < 0.8 ? random.uniform(0.2, 0.6)
+                                            : random.uniform(0.7, 1.0);
+    site.entered = 1.0 - c * passed_by;
     const double mapping = random.uniform();
     site.mapping = mapping < 0.6    ? Mapping::log_odds
                    : mapping < 0.85 ? Mapping::counted
                                     : Mapping::walls_unknown;
     return site;
 }
+
+// An error that keeps most of itself from scan to scan.
+class Drift {
+public:
+    Drift(const Site& site, Random random) : site_(site), random_(random) {}
+
+    Pose draw() {
+        constexpr double kKeep = 0.99;
+        const double fresh = std::sqrt(1.0 - kKeep * kKeep);
+        error_.x = kKeep * error_.x + fresh * site_.drift_m * random_.normal();
+        error_.y = kKeep * error_.y + fresh * site_.drift_m * random_.normal();
+        error_.yaw_rad = kKeep * error_.yaw_rad + fresh * site_.drift_rad * random_.normal();
+        return error_;
+    }
+
+private:
+    const Site& site_;
+    Random random_;
+    Pose error_;
+};
 
 // The room of each cell of the world.
 Raster<std::uint16_t> labels_of(const World& world, const Building& building) {
@@ -132,11 +162,15 @@ Exploration drive(const World& world, const Building& building, const Site& site
     }
     Explorer explorer(world.map, widest_place(ways, world.map), site.robot, std::move(passed_by));
     Scanner scanner(world, site.scanner, random.fork(1));
+    Drift drift(site, random.fork(2));
     Exploration exploration;
     while (std::optional<KeyScan> key = explorer.next()) {
         Scan scan = scanner.scan(key->true_pose);
         scan.time_s = key->scan.time_s;
-        scan.world_from_sensor = key->scan.world_from_sensor;
+        const Pose error = drift.draw();
+        const Pose& pose = key->scan.world_from_sensor;
+        scan.world_from_sensor = {pose.x + error.x, pose.y + error.y,
+                                  std::remainder(pose.yaw_rad + error.yaw_rad, 2.0 * M_PI)};
         exploration.scans.push_back(std::move(scan));
         exploration.true_poses.push_back(key->true_pose);
     }
@@ -163,37 +197,6 @@ GridMap map_of(const std::vector<Scan>& scans, const Site& site) {
     return map;
 }
 
-// Less than this of a room is not worth a name.
-constexpr double kLeastSeenM2 = 1.5;
-constexpr double kLeastSeenShare = 0.1;
-
-Raster<std::uint32_t> truth_of(const Building& building, const GridMap& map) {
-    const GridMap& from = building.bare;
-    const Raster<std::uint16_t>& labels = building.bare_labels;
-    Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
-    const Pose building_from_map = compose(inverse(from.map_from_image), map.map_from_image);
-    std::vector<std::size_t> num_seen(building.rooms.size() + 1, 0);
-    for (std::size_t i = 0; i < truth.values.size(); ++i) {
-        if (map.states.values[i] != CellState::free) continue;
-        const Cell cell = truth.cell(i);
-        const Point at = transform(building_from_map, {(cell.x + 0.5) * map.resolution_m,
-                                                       (cell.y + 0.5) * map.resolution_m});
-        const Cell there{static_cast<std::int32_t>(std::floor(at.x / from.resolution_m)),
-                         static_cast<std::int32_t>(std::floor(at.y / from.resolution_m))};
-        if (labels.contains(there)) truth.values[i] = labels.at(there);
-        ++num_seen[truth.values[i]];
-    }
-    const double cell_m2 = map.resolution_m * map.resolution_m;
-    for (std::uint32_t& room : truth.values) {
-        if (room == 0) continue;
-        const double seen_m2 = static_cast<double>(num_seen[room]) * cell_m2;
-        const double least =
-            std::max(kLeastSeenM2, kLeastSeenShare * building.rooms[room - 1].area_m2);
-        if (seen_m2 < std::min(least, building.rooms[room - 1].area_m2)) room = 0;
-    }
-    return truth;
-}
-
 }  // namespace
 
 RealMap scan_as_robots_do(const RealityOptions& options) {
@@ -207,7 +210,7 @@ RealMap scan_as_robots_do(const RealityOptions& options) {
     real.building = generate_building(site.building);
     real.exploration = drive(draw_world(real.building, site.world), real.building, site);
     real.map = map_of(real.exploration.scans, site);
-    real.truth = truth_of(real.building, real.map);
+    real.truth = surveyed_truth(real.building, real.exploration, real.map);
     for (const Scan& scan : real.exploration.scans) {
         real.trajectory.push_back({scan.world_from_sensor.x, scan.world_from_sensor.y});
     }
