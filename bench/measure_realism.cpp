@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 // Whether simulated robot maps are as hard as real ones: what simple methods lose from clean to
 // cluttered simulation, beside what they lose from hand-cleaned to real maps.
-//   measure_realism [-o FILE.json] [--buildings N] [--maps FOLDER]
-// With --maps, the scanned buildings are written there: NAME.pgm, NAME.yaml, NAME.rooms.png.
+//   measure_realism [-o FILE.json] [--buildings N] [--maps FOLDER] [--picture FILE.png]
+// --maps: the scanned buildings go there, a folder each: map.pgm, map.yaml, rooms.png.
+// --picture: sixteen parts of real maps at the left, of simulated ones at the right.
 #include <array>
 #include <cstdio>
 #include <ctime>
@@ -15,6 +16,7 @@
 
 #include "bench/baseline.hpp"
 #include "bench/cases.hpp"
+#include "bench/crop_sheet.hpp"
 #include "bench/data_map.hpp"
 #include "bench/result_file.hpp"
 #include "bench/threshold_baseline.hpp"
@@ -165,14 +167,31 @@ void print_drops(const Json& rows) {
     }
 }
 
+/// Real maps as often as it takes.
+void draw_crops(const std::vector<Input>& real, const fs::path& path) {
+    CropSheet sheet;
+    std::vector<const Input*> scanned;
+    for (const Input& input : real) {
+        if (input.kind == 3) scanned.push_back(&input);
+    }
+    for (std::size_t i = 0; i < CropSheet::kNumCrops; ++i) {
+        if (!scanned.empty()) sheet.add(0, scanned[i % scanned.size()]->map, i + 1);
+        sheet.add(1, scanned_building(2 * i + 1).map, i + 1);
+    }
+    sheet.write(path);
+}
+
 int run(int argc, char** argv) {
     std::size_t num_buildings = 24;
     fs::path maps;
+    fs::path picture;
     for (int i = 1; i + 1 < argc; ++i) {
         if (std::string(argv[i]) == "--buildings") num_buildings = std::stoul(argv[i + 1]);
         if (std::string(argv[i]) == "--maps") maps = argv[i + 1];
+        if (std::string(argv[i]) == "--picture") picture = argv[i + 1];
     }
     const std::vector<Input> real = real_maps();
+    if (!picture.empty()) draw_crops(real, picture);
     const std::size_t count = 2 * num_buildings + real.size();
     Progress progress(count);
     const auto results = run_cases<std::vector<Json>>(count, [&](std::size_t i) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/piece.hpp"
-
 namespace quadcut::sim {
 namespace {
 
@@ -47,7 +45,7 @@ void line_corridor(Furnisher& furnisher, double amount, Random& random) {
 
 // Rows of desks, back to back, with a partition between the two and stubs between neighbours.
 void add_desk_rows(Furnisher& furnisher, double amount, Random& random) {
-    const Make make = draw_make(random);
+    const Make make = seen_from_above(draw_make(random));
     const FloorPart& part = furnisher.main_part();
     const Rect& r = part.rect;
     const bool along_x = random.uniform() < 0.5;
@@ -101,6 +99,11 @@ void add_dividers(Furnisher& furnisher, int count, Random& random) {
 
 }  // namespace
 
+Make seen_from_above(Make make) {
+    if (make.chair == Make::Chair::star) make.chair = Make::Chair::post;
+    return make;
+}
+
 void add_fixtures(Furnisher& furnisher, double amount, Random& random) {
     const RoomUse use = furnisher.room().use;
     if (use == RoomUse::corridor) return line_corridor(furnisher, amount, random);
@@ -123,7 +126,13 @@ void add_fixtures(Furnisher& furnisher, double amount, Random& random) {
 
 void add_litter(Furnisher& furnisher, double amount, Random& random) {
     const bool is_corridor = furnisher.room().use == RoomUse::corridor;
-    const Make make = draw_make(random);
+    const Make make = seen_from_above(draw_make(random));
+    if (!is_corridor) {
+        const double wanted = amount * area_of(furnisher) * random.uniform(0.0, 0.15);
+        for (int i = count_of(wanted, random); i > 0; --i) {
+            furnisher.add_at_wall(heap_piece(random.uniform(0.2, 0.5), random));
+        }
+    }
     const double per_m2 = is_corridor ? 0.012 : random.uniform(0.05, 0.25);
     for (const FloorPart& part : furnisher.room().parts) {
         for (int i = count_of(amount * per_m2 * part.rect.area(), random); i > 0; --i) {

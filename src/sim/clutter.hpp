@@ -4,8 +4,13 @@
 
 #include "quadcut/base/random.hpp"
 #include "sim/furnisher.hpp"
+#include "sim/piece.hpp"
 
 namespace quadcut::sim {
+
+/// The make of a room as a laser half a metre above the floor sees it: of office chairs the post,
+/// but not the star of feet.
+[[nodiscard]] Make seen_from_above(Make make);
 
 /// What is built of furniture, before the rest is placed: desks in rows with partitions between
 /// them, shelves along walls and corridors, cupboards beside doors. `amount`: 0..1.

@@ -29,7 +29,8 @@ void for_each_beam(const Scan& scan, const Visit& visit) {
 
 }  // namespace
 
-GridMap counted_map(std::span<const Scan> scans, double resolution_m) {
+GridMap counted_map(std::span<const Scan> scans, double resolution_m,
+                    const CountedMapOptions& options) {
     Rect box = kNoRect;
     for (const Scan& scan : scans) {
         for_each_beam(scan, [&](const Point& from, const Point& u, double range) {
@@ -62,15 +63,13 @@ GridMap counted_map(std::span<const Scan> scans, double resolution_m) {
             ++counts.at(end).hits;
         });
     }
-    constexpr double kFree = 0.15;
-    constexpr double kOccupied = 0.3;
     map.states = Raster<CellState>({0, 0}, counts.width, counts.height);
     for (std::size_t i = 0; i < counts.values.size(); ++i) {
         const Count& count = counts.values[i];
         if (count.visits == 0) continue;
         const double share = static_cast<double>(count.hits) / count.visits;
-        if (share < kFree) map.states.values[i] = CellState::free;
-        if (share > kOccupied) map.states.values[i] = CellState::occupied;
+        if (share < options.free_below) map.states.values[i] = CellState::free;
+        if (share > options.occupied_above) map.states.values[i] = CellState::occupied;
     }
     return map;
 }

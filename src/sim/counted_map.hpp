@@ -9,9 +9,16 @@
 
 namespace quadcut::sim {
 
-/// The map that many SLAM programs save: each cell's share of hits among the beams that came to
-/// it; below 0.15 free, above 0.3 occupied, unknown in between. Beams are lines: where they lie
-/// apart, they leave gaps. O(cells that beams cross). @pre there is a scan.
-[[nodiscard]] GridMap counted_map(std::span<const Scan> scans, double resolution_m);
+/// Shares of hits, 0..1.
+struct CountedMapOptions {
+    double free_below = 0.15;
+    double occupied_above = 0.3;
+};
+
+/// The map that many SLAM programs save: by each cell's share of hits among the beams that came to
+/// it, unknown in between. Beams are lines: where they lie apart, they leave gaps. O(cells that
+/// beams cross). @pre there is a scan.
+[[nodiscard]] GridMap counted_map(std::span<const Scan> scans, double resolution_m,
+                                  const CountedMapOptions& options = {});
 
 }  // namespace quadcut::sim

@@ -28,11 +28,8 @@ constexpr BoxSizes kMachine{1.8, 3.6, 0.6, 0.8};
 // Chooses what stands in a room.
 class Decorator {
 public:
-    Decorator(Furnisher& furnisher, Random& random)
-        : furnisher_(furnisher),
-          random_(random),
-          make_(draw_make(random)),
-          part_(furnisher.main_part()) {
+    Decorator(Furnisher& furnisher, const Make& make, Random& random)
+        : furnisher_(furnisher), random_(random), make_(make), part_(furnisher.main_part()) {
         for (const FloorPart& part : furnisher.room().parts) area_ += part.rect.area();
     }
 
@@ -336,7 +333,8 @@ std::vector<Obstacle> furnish(const Plan& plan, std::size_t room, const Furnitur
     if (!is_cluttered && (use == RoomUse::cubicle || area < 6.0)) depth = 0.6;
     furnisher.keep_doors_clear(depth);
     if (is_cluttered) add_fixtures(furnisher, options.clutter, litter);
-    Decorator(furnisher, random).decorate();
+    const Make make = draw_make(random);
+    Decorator(furnisher, is_cluttered ? seen_from_above(make) : make, random).decorate();
     if (is_cluttered) {
         add_litter(furnisher, options.clutter, litter);
     } else if (use != RoomUse::corridor) {

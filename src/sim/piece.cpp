@@ -189,6 +189,25 @@ Piece desk_row_piece(const Make& make, int columns, double width, Partitions par
     return piece;
 }
 
+Piece heap_piece(double radius, Random& random) {
+    Piece piece;
+    const auto count = 3 + static_cast<int>(random.below(8));
+    for (int i = 0; i < count; ++i) {
+        const double angle = random.uniform(-M_PI, M_PI);
+        const double away = radius * random.uniform();
+        const Point at{away * std::cos(angle), radius + away * std::sin(angle)};
+        const double size = random.uniform(0.02, 0.14);
+        if (random.uniform() < 0.6) {
+            piece.posts.push_back({at, size});
+        } else {
+            const double other = random.uniform(0.02, 0.2);
+            piece.boxes.push_back({at.x - size, at.y - other, at.x + size, at.y + other});
+        }
+    }
+    piece.footprint = {-radius, 0.0, radius, 2.0 * radius};
+    return piece;
+}
+
 Piece chair_piece(const Make& make, Random& random) {
     Piece piece;
     add_chair(piece, make, {0.0, 0.3}, random);

@@ -55,6 +55,8 @@ enum class Partitions { none, some };
 /// rows, in places, and stubs of it between neighbours.
 [[nodiscard]] Piece desk_row_piece(const Make& make, int columns, double width,
                                    Partitions partitions, Random& random);
+/// Bags, boxes and cables in a heap.
+[[nodiscard]] Piece heap_piece(double radius, Random& random);
 /// A chair on its own.
 [[nodiscard]] Piece chair_piece(const Make& make, Random& random);
 /// A bed on four legs.

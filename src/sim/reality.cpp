@@ -35,6 +35,7 @@ struct Site {
     // The share of the rooms that the robot enters.
     double entered = 1.0;
     Mapping mapping = Mapping::log_odds;
+    CountedMapOptions counted;
 };
 
 // Field of view and angle between beams, degrees, and range (which a float holds exactly): those of
@@ -44,7 +45,7 @@ struct LaserModel {
     double step_deg;
     double range_m;
 };
-constexpr std::array<LaserModel, 6> kLasers{{{180.0, 1.0, 8.0},
+constexpr std::array<LaserModel, 6> kLasers{{{180.0, 1.0, 16.0},
                                              {180.0, 1.0, 30.0},
                                              {180.0, 0.5, 30.0},
                                              {180.0, 0.5, 80.0},
@@ -84,10 +85,12 @@ Site draw_site(const RealityOptions& options) {
     site.robot.survey = RobotOptions::Survey::floor;
     site.robot.key_distance_m = random.uniform(0.2, 0.5);
     site.robot.survey_range_m = random.uniform(3.0, 6.0);
-    site.robot.pose_noise_m = random.uniform(0.01, 0.01 + 0.03 * c);
-    site.robot.pose_noise_rad = random.uniform(0.1, 0.1 + 0.3 * c) * kDegree;
-    site.drift_m = c * random.uniform(0.02, 0.15);
-    site.drift_rad = c * random.uniform(0.1, 1.0) * kDegree;
+    site.robot.pose_noise_m = random.uniform(0.005, 0.005 + 0.02 * c);
+    site.robot.pose_noise_rad = random.uniform(0.05, 0.05 + 0.2 * c) * kDegree;
+    // Most SLAM systems are good.
+    const double drift = c * std::pow(random.uniform(), 2.0);
+    site.drift_m = 0.01 + 0.12 * drift;
+    site.drift_rad = (0.05 + 0.9 * drift) * kDegree;
     // Some robots look into every room, some go by all of them.
     const double errand = random.uniform();
     const double passed_by = errand < 0.4   ? random.uniform(0.0, 0.15)
@@ -96,8 +99,10 @@ Site draw_site(const RealityOptions& options) {
     site.entered = 1.0 - c * passed_by;
     const double mapping = random.uniform();
     site.mapping = mapping < 0.6    ? Mapping::log_odds
-                   : mapping < 0.85 ? Mapping::counted
+                   : mapping < 0.88 ? Mapping::counted
                                     : Mapping::walls_unknown;
+    site.counted.free_below = random.uniform(0.03, 0.2);
+    site.counted.occupied_above = random.uniform(0.25, 0.5);
     return site;
 }
 
@@ -191,7 +196,7 @@ void forget_walls(GridMap& map) {
 
 GridMap map_of(const std::vector<Scan>& scans, const Site& site) {
     const double resolution_m = site.building.resolution_m;
-    if (site.mapping == Mapping::counted) return counted_map(scans, resolution_m);
+    if (site.mapping == Mapping::counted) return counted_map(scans, resolution_m, site.counted);
     GridMap map = map_from_scans(scans, resolution_m).to_grid();
     if (site.mapping == Mapping::walls_unknown) forget_walls(map);
     return map;
