@@ -128,12 +128,12 @@ void add_litter(Furnisher& furnisher, double amount, Random& random) {
     const bool is_corridor = furnisher.room().use == RoomUse::corridor;
     const Make make = seen_from_above(draw_make(random));
     if (!is_corridor) {
-        const double wanted = amount * area_of(furnisher) * random.uniform(0.0, 0.15);
+        const double wanted = amount * area_of(furnisher) * 0.6 * std::pow(random.uniform(), 2.0);
         for (int i = count_of(wanted, random); i > 0; --i) {
             furnisher.add_at_wall(heap_piece(random.uniform(0.2, 0.5), random));
         }
     }
-    const double per_m2 = is_corridor ? 0.012 : random.uniform(0.05, 0.25);
+    const double per_m2 = is_corridor ? 0.012 : random.uniform(0.05, 0.45);
     for (const FloorPart& part : furnisher.room().parts) {
         for (int i = count_of(amount * per_m2 * part.rect.area(), random); i > 0; --i) {
             const double choice = random.uniform();

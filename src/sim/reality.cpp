@@ -66,8 +66,8 @@ Site draw_site(const RealityOptions& options) {
     site.building.seed = options.seed;
     site.building.num_rooms = options.num_rooms;
     site.building.resolution_m = options.resolution_m;
-    site.building.furniture = random.uniform(0.4, 1.0);
-    site.building.clutter = c * random.uniform(0.4, 1.0);
+    site.building.furniture = random.uniform(0.6, 1.0);
+    site.building.clutter = c * random.uniform(0.5, 1.0);
     site.building.open_leaves = random.uniform(0.3, 0.9);
     site.building.openness = c * random.uniform(0.0, 0.7);
     site.building.yaw_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(-0.8, 0.8);
@@ -79,6 +79,7 @@ Site draw_site(const RealityOptions& options) {
     site.scanner.laser = {laser.field_deg * kDegree, laser.step_deg * kDegree, laser.range_m,
                           random.uniform(0.005, 0.03), random.uniform(0.0, 0.05)};
     site.scanner.glints = random.uniform(0.0, 0.3);
+    site.scanner.passes = c * random.uniform(0.0, 0.6);
     site.scanner.people = c * random.uniform(0.0, 0.2);
     site.robot.seed = options.seed;
     site.robot.laser.angle_step_rad = 45.0 * kDegree;
@@ -102,7 +103,7 @@ Site draw_site(const RealityOptions& options) {
                    : mapping < 0.88 ? Mapping::counted
                                     : Mapping::walls_unknown;
     site.counted.free_below = random.uniform(0.03, 0.2);
-    site.counted.occupied_above = random.uniform(0.25, 0.5);
+    site.counted.occupied_above = random.uniform(0.3, 0.65);
     return site;
 }
 

@@ -33,7 +33,7 @@ std::uint8_t Scanner::glass_at(const Point& p) const {
     return glass_.contains(cell) ? glass_.at(cell) : std::uint8_t{0};
 }
 
-// A beam goes through all panes or is returned by the first.
+// A beam passes all panes and legs or is returned by the first.
 double Scanner::range_of(const Point& from, double angle) {
     const double most = options_.laser.max_range_m;
     const double range = all_.cast(from, angle, most);
@@ -42,6 +42,10 @@ double Scanner::range_of(const Point& from, double angle) {
     const std::uint8_t glass =
         glass_at({from.x + inside * std::cos(angle), from.y + inside * std::sin(angle)});
     if (glass == 0) return range;
+    if (glass == World::kThin) {
+        const bool is_met = random_.uniform() >= options_.passes;
+        return is_met ? range : without_glass_.cast(from, angle, most);
+    }
     const double slant = std::remainder(angle - (glass - 1) * M_PI / 180.0, M_PI);
     if (std::abs(slant) < options_.square_rad || random_.uniform() < options_.glints) return range;
     return without_glass_.cast(from, angle, most);

@@ -17,6 +17,8 @@ struct ScannerOptions {
     /// Glass returns a beam that meets it this squarely, and this share of the others.
     double square_rad = 0.15;
     double glints = 0.05;
+    /// The share of beams that pass beside a leg that they meet.
+    double passes = 0.0;
     /// How often a scan meets another person, who then stays for some scans.
     double people = 0.0;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadcut/base/random.hpp"
+#include "quadcut/map/flood.hpp"
 #include "sim/shape.hpp"
 
 namespace quadcut::sim {
@@ -33,6 +34,7 @@ public:
 
 private:
     void lay_out_ground();
+    void mark_legs();
     void shut_doors();
     void glaze();
     void glaze_wall(const Frame& wall, double length, const TrueRoom& room);
@@ -105,6 +107,24 @@ std::uint32_t WorldBuilder::label_at(const Point& p) const {
     const Cell in_building{cell.x - margin_, cell.y - margin_};
     const Raster<std::uint16_t>& labels = building_.bare_labels;
     return labels.contains(in_building) ? labels.at(in_building) : 0U;
+}
+
+// What stands on the floor alone and is no larger than a few cells.
+void WorldBuilder::mark_legs() {
+    constexpr double kLegM2 = 0.011;
+    const double cell_m2 = grid_.resolution_m * grid_.resolution_m;
+    const Raster<CellState>& states = world_.map.states;
+    const auto is_furniture = [&](std::size_t i) {
+        return states.values[i] == CellState::occupied && bare_.values[i] == CellState::free;
+    };
+    std::vector<bool> seen(states.values.size(), false);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (seen[i] || !is_furniture(i)) continue;
+        const std::vector<std::size_t> thing =
+            flood(states, i, seen, Connectivity::eight, is_furniture);
+        if (static_cast<double>(thing.size()) * cell_m2 > kLegM2) continue;
+        for (const std::size_t cell : thing) world_.glass.values[cell] = World::kThin;
+    }
 }
 
 void WorldBuilder::shut_doors() {
@@ -224,7 +244,7 @@ void WorldBuilder::furnish_ground() {
             return true;
         });
     };
-    const auto num_things = static_cast<int>((width + height) * random_.uniform(0.2, 1.2));
+    const auto num_things = static_cast<int>((width + height) * random_.uniform(0.1, 0.9));
     for (int i = 0; i < num_things; ++i) {
         const Point at{grid_.origin.x + random_.uniform(0.0, width),
                        grid_.origin.y + random_.uniform(0.0, height)};
@@ -242,6 +262,7 @@ void WorldBuilder::furnish_ground() {
 
 World WorldBuilder::build() {
     lay_out_ground();
+    mark_legs();
     shut_doors();
     glaze();
     furnish_ground();

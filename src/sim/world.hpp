@@ -27,8 +27,10 @@ struct WorldOptions {
 struct World {
     /// Glass is occupied.
     GridMap map;
-    /// 0: no glass, else one more than the direction of its normal, degrees in 0..179.
+    /// 0: no glass, else one more than the direction of its normal, degrees in 0..179; kThin: a leg
+    /// of furniture, which fills a part of its cell.
     Raster<std::uint8_t> glass;
+    static constexpr std::uint8_t kThin = 255;
 };
 
 /// The same building and options give the same bytes.

@@ -49,6 +49,24 @@ TEST(Scanner, GlintsReturnAnyBeam) {
     EXPECT_NEAR(scan.ranges_m[90 + 15], 2.0 / std::cos(15.0 * M_PI / 180.0), 0.02);
 }
 
+TEST(Scanner, SomeBeamsPassBesideALeg) {
+    World world = hall_with_pane();
+    for (std::uint8_t& glass : world.glass.values) {
+        if (glass != 0) glass = World::kThin;
+    }
+    ScannerOptions options = exact();
+    const auto num_beyond = [&](double passes) {
+        options.passes = passes;
+        Scanner scanner(world, options, Random(1));
+        const Scan scan = scanner.scan({1.0, 2.0, 0.0});
+        return std::count_if(scan.ranges_m.begin() + 70, scan.ranges_m.begin() + 110,
+                             [](float range) { return range > 3.0F; });
+    };
+    EXPECT_EQ(num_beyond(0.0), 0);
+    EXPECT_GT(num_beyond(0.5), 10);
+    EXPECT_LT(num_beyond(0.5), 30);
+}
+
 TEST(Scanner, PeopleStandInTheWay) {
     ScannerOptions options = exact();
     const auto sum_of = [&](double people) {

@@ -99,5 +99,23 @@ TEST(World, DoorsAjarStandAcrossTheirOpening) {
     EXPECT_GT(num_more, 3U);
 }
 
+TEST(World, LegsOfFurnitureAreThinAndCupboardsAreNot) {
+    BuildingOptions options;
+    options.seed = 8;
+    options.num_rooms = 10;
+    options.furniture = 1.0;
+    const World world = draw_world(generate_building(options), {});
+    std::size_t num_thin = 0;
+    std::size_t num_solid = 0;
+    for (std::size_t i = 0; i < world.glass.values.size(); ++i) {
+        if (world.glass.values[i] == World::kThin) ++num_thin;
+        if (world.glass.values[i] == 0 && world.map.states.values[i] == CellState::occupied) {
+            ++num_solid;
+        }
+    }
+    EXPECT_GT(num_thin, 50U);
+    EXPECT_GT(num_solid, 20 * num_thin);
+}
+
 }  // namespace
 }  // namespace quadcut::sim
