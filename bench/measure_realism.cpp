@@ -68,29 +68,31 @@ struct Input {
 
 int num_rooms_of(std::size_t i) { return 8 + static_cast<int>(i * 17 % 33); }
 
-Input clean_building(std::size_t i) {
-    sim::BuildingOptions options;
-    options.seed = kFirstRealitySeed + i;
-    options.num_rooms = num_rooms_of(i);
-    options.furniture = 0.0;
-    sim::Building building = sim::generate_building(options);
-    Labels truth = labels_at(building.map, building.labels, building.map);
-    return {"seed " + std::to_string(options.seed), 0, std::move(building.map), std::move(truth)};
-}
-
-Input scanned_building(std::size_t i) {
+sim::RealMap scanned(std::size_t i) {
     sim::RealityOptions options;
     options.seed = kFirstRealitySeed + i;
     options.num_rooms = num_rooms_of(i);
+    return sim::scan_as_robots_do(options);
+}
+
+/// The same building as its architect draws it.
+Input clean_building(std::size_t i) {
+    sim::Building building = scanned(i).building;
+    Labels truth = labels_at(building.bare, building.bare_labels, building.bare);
+    return {"seed " + std::to_string(kFirstRealitySeed + i), 0, std::move(building.bare),
+            std::move(truth)};
+}
+
+Input scanned_building(std::size_t i) {
     timespec begin{};
     timespec end{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-    sim::RealMap real = sim::scan_as_robots_do(options);
+    sim::RealMap real = scanned(i);
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
     const double seconds = static_cast<double>(end.tv_sec - begin.tv_sec) +
                            1e-9 * static_cast<double>(end.tv_nsec - begin.tv_nsec);
-    return {"seed " + std::to_string(options.seed), 1, std::move(real.map), std::move(real.truth),
-            seconds};
+    return {"seed " + std::to_string(kFirstRealitySeed + i), 1, std::move(real.map),
+            std::move(real.truth), seconds};
 }
 
 /// The hand-made maps of the data, and those of `data/real` that robots have scanned.

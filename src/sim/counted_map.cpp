@@ -66,7 +66,7 @@ GridMap counted_map(std::span<const Scan> scans, double resolution_m,
     map.states = Raster<CellState>({0, 0}, counts.width, counts.height);
     for (std::size_t i = 0; i < counts.values.size(); ++i) {
         const Count& count = counts.values[i];
-        if (count.visits == 0) continue;
+        if (count.visits < std::max(options.least_visits, 1U)) continue;
         const double share = static_cast<double>(count.hits) / count.visits;
         if (share < options.free_below) map.states.values[i] = CellState::free;
         if (share > options.occupied_above) map.states.values[i] = CellState::occupied;

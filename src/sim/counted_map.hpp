@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "quadcut/map/grid_map.hpp"
@@ -9,8 +10,10 @@
 
 namespace quadcut::sim {
 
-/// Shares of hits, 0..1.
 struct CountedMapOptions {
+    /// What fewer beams came to is unknown.
+    std::uint32_t least_visits = 1;
+    /// Shares of hits, 0..1.
     double free_below = 0.15;
     double occupied_above = 0.3;
 };

@@ -102,6 +102,7 @@ Site draw_site(const RealityOptions& options) {
     site.mapping = mapping < 0.6    ? Mapping::log_odds
                    : mapping < 0.88 ? Mapping::counted
                                     : Mapping::walls_unknown;
+    site.counted.least_visits = static_cast<std::uint32_t>(1 + random.below(3));
     site.counted.free_below = random.uniform(0.03, 0.2);
     site.counted.occupied_above = random.uniform(0.3, 0.65);
     return site;

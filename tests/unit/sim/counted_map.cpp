@@ -43,6 +43,13 @@ TEST(CountedMap, BetweenFreeAndOccupiedNothingIsKnown) {
     EXPECT_EQ(state_at(counted_map(scans, 0.1), 2.25, 0.25), CellState::free);
 }
 
+TEST(CountedMap, FewVisitsAreNone) {
+    std::vector<Scan> scans(2, beam(3.0F));
+    EXPECT_EQ(state_at(counted_map(scans, 0.1, {3}), 1.0, 0.25), CellState::unknown);
+    scans.resize(3, beam(3.0F));
+    EXPECT_EQ(state_at(counted_map(scans, 0.1, {3}), 1.0, 0.25), CellState::free);
+}
+
 TEST(CountedMap, NoReturnSaysNothing) {
     const GridMap map = counted_map(std::vector<Scan>{beam(1.0F), beam(10.0F)}, 0.1);
     EXPECT_EQ(state_at(map, 1.25, 0.25), CellState::occupied);
