@@ -11,6 +11,7 @@
 #include "quadcut/base/error.hpp"
 #include "quadcut/base/random.hpp"
 #include "quadcut/map/integrate.hpp"
+#include "sim/bend.hpp"
 #include "sim/counted_map.hpp"
 #include "sim/scanner.hpp"
 #include "sim/surveyed_truth.hpp"
@@ -29,6 +30,8 @@ struct Site {
     WorldOptions world;
     ScannerOptions scanner;
     RobotOptions robot;
+    // 0: straight; else the radius of the arc in units of the building's size.
+    double bend = 0.0;
     // Standard deviations of what SLAM leaves of the drift: it bends the map, slowly.
     double drift_m = 0.0;
     double drift_rad = 0.0;
@@ -105,6 +108,8 @@ Site draw_site(const RealityOptions& options) {
     site.counted.least_visits = static_cast<std::uint32_t>(1 + random.below(3));
     site.counted.free_below = random.uniform(0.03, 0.2);
     site.counted.occupied_above = random.uniform(0.3, 0.65);
+    site.bend = c > 0.0 ? some_or_none(random, 0.7, 2.0, 5.0) : 0.0;
+    if (random.uniform() < 0.5) site.bend = -site.bend;
     return site;
 }
 
@@ -204,6 +209,11 @@ GridMap map_of(const std::vector<Scan>& scans, const Site& site) {
     return map;
 }
 
+double size_of(const Building& building) {
+    const Raster<CellState>& states = building.map.states;
+    return std::max(0.6 * states.width, 1.0 * states.height) * building.map.resolution_m;
+}
+
 }  // namespace
 
 RealMap scan_as_robots_do(const RealityOptions& options) {
@@ -215,6 +225,7 @@ RealMap scan_as_robots_do(const RealityOptions& options) {
     RealMap real;
     real.building_options = site.building;
     real.building = generate_building(site.building);
+    if (site.bend != 0.0) real.building = bent(real.building, site.bend * size_of(real.building));
     real.exploration = drive(draw_world(real.building, site.world), real.building, site);
     real.map = map_of(real.exploration.scans, site);
     real.truth = surveyed_truth(real.building, real.exploration, real.map);
