@@ -66,10 +66,12 @@ Command simulate_command() {
                   flag_of(fields, "seed", "S"),
                   flag_of(fields, "rooms", "N"),
                   flag_of(fields, "furniture", "F"),
+                  flag_of(fields, "clutter", "C"),
                   json_flag(),
                   quiet_flag()};
     form.examples = {"quadcut simulate -o building --seed 7",
-                     "quadcut simulate -o flat --rooms 6 --furniture 1"};
+                     "quadcut simulate -o flat --rooms 6 --furniture 1",
+                     "quadcut simulate -o office --rooms 24 --clutter 1"};
     return {form, run};
 }
 

@@ -18,6 +18,7 @@ struct SimulationChoice {
     std::size_t seed = 1;
     std::size_t num_rooms = 20;
     double furniture = 0.5;
+    double clutter = 0.0;
 };
 
 /// The choice's fields, bound to it.

@@ -31,6 +31,7 @@
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "sim/building.hpp"
+#include "sim/reality.hpp"
 #include "sim/robot.hpp"
 
 namespace quadcut {
@@ -245,6 +246,19 @@ Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map
     return truth;
 }
 
+/// Buildings as robots find them.
+void add_cluttered(int num_buildings, PieceSource pieces, Report& report) {
+    for (int i = 0; i < num_buildings; ++i) {
+        sim::RealityOptions options;
+        options.seed = static_cast<std::uint64_t>(20001 + i);
+        options.num_rooms = 12 + i * 7 % 37;
+        const sim::RealMap real = sim::scan_as_robots_do(options);
+        const std::string name = "cluttered_" + std::to_string(options.seed);
+        report.add(name, name, "simulated cluttered",
+                   decide_by_truth(real.map, real.truth, pieces));
+    }
+}
+
 /// Buildings of all sizes and densities of furniture; each third also as a robot maps it.
 void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
     for (int i = 0; i < num_buildings; ++i) {
@@ -281,6 +295,7 @@ int run(int argc, char** argv) {
     Report report(csv);
     add_data(pieces, report);
     add_simulated(num_buildings, pieces, report);
+    add_cluttered(num_buildings, pieces, report);
     report.print();
     return 0;
 }

@@ -442,6 +442,31 @@ def zones(files: dict, old: str) -> str | None:
                    "the number right"], lines) + source(files["zones"]))
 
 
+def realism(files: dict, old: str) -> str | None:
+    """What each method has on clean and on scanned maps, simulated and real."""
+    del old
+    if "realism" not in files:
+        return None
+    rows = files["realism"]["rows"]
+
+    def mean(method: str, kind: str) -> float | None:
+        values = [row["pq"] for row in rows if row["method"] == method and row["kind"] == kind]
+        return 100 * statistics.mean(values) if values else None
+
+    def text(value: float | None) -> str:
+        return DASH if value is None else f"{value:.1f}"
+    lines = []
+    for method in dict.fromkeys(row["method"] for row in rows):
+        line = [method]
+        for world in ("simulated", "real"):
+            clean, scanned = (mean(method, f"{world}, {kind}") for kind in ("clean", "scanned"))
+            drop = None if clean is None or scanned is None else clean - scanned
+            line += [text(clean), text(scanned), text(drop)]
+        lines.append(line)
+    return (table(["method", "simulated: drawn", "scanned", "loss", "real: cleaned", "scanned", "loss"],
+                  lines) + source(files["realism"]))
+
+
 def paper(files: dict, old: str) -> str | None:
     del old
     if "paper" not in files:
@@ -496,7 +521,7 @@ MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building":
           "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
           "headers": headers, "independence": independence, "zones": zones, "paper": paper,
-          "route": route, "closure": closure}
+          "route": route, "closure": closure, "realism": realism}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

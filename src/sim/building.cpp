@@ -186,8 +186,8 @@ void Draughtsman::draw_furniture() {
     const Random random = Random(options_.seed).fork(2);
     for (std::size_t room = 0; room < plan_.rooms.size(); ++room) {
         const std::vector<Obstacle> obstacles =
-            furnish(plan_, room, options_.furniture, options_.open_leaves, building_.bare_labels,
-                    grid_, random.fork(room));
+            furnish(plan_, room, {options_.furniture, options_.open_leaves, options_.clutter},
+                    building_.bare_labels, grid_, random.fork(room));
         for (const Obstacle& obstacle : obstacles) draw_obstacle(obstacle);
     }
 }
@@ -239,6 +239,7 @@ Building draw_building(const Plan& plan, const BuildingOptions& options) {
     check(options.resolution_m >= 0.02 && options.resolution_m <= 0.1,
           "resolution: expected 0.02..0.1 m");
     check(options.open_leaves >= 0.0 && options.open_leaves <= 1.0, "open_leaves: expected 0..1");
+    check(options.clutter >= 0.0 && options.clutter <= 1.0, "clutter: expected 0..1");
     return Draughtsman(plan, options).draw();
 }
 
@@ -246,10 +247,11 @@ Building generate_building(const BuildingOptions& options) {
     check(options.num_rooms >= 3 && options.num_rooms <= 1000, "rooms: expected 3..1000");
     check(options.turned_wings >= 0.0 && options.turned_wings <= 1.0,
           "turned_wings: expected 0..1");
+    check(options.openness >= 0.0 && options.openness <= 1.0, "openness: expected 0..1");
     check(std::isfinite(options.yaw_rad), "yaw: expected a finite angle");
     check(options.num_wings >= 0 && options.num_wings <= 20, "wings: expected 0..20");
     const Layout layout = draw_layout({options.seed, options.num_rooms, options.turned_wings,
-                                       options.num_wings, options.yaw_rad});
+                                       options.num_wings, options.yaw_rad, options.openness});
     Building building = draw_building(layout.plan, options);
     for (std::size_t i = 0; i < building.rooms.size(); ++i) {
         building.rooms[i].wing = layout.wing_of_room[i];

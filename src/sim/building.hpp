@@ -36,6 +36,12 @@ struct BuildingOptions {
     double yaw_rad = 0.0;
     /// The share of doors whose leaf stands open in the room, 0..1.
     double open_leaves = 0.3;
+    /// 0: furniture as architects draw it, with ways for a robot; 1: as people leave it, in rows
+    /// and islands, along corridors and beside doors, chairs pushed about.
+    double clutter = 0.0;
+    /// 0: rooms have doors; 1: corridors end in lobbies and round halls that they enter at their
+    /// full width, and more than half of the rooms have an opening of up to 4.5 m.
+    double openness = 0.0;
 };
 
 /// A place as people name it. Its floor is a union of convex polygons in the map frame, without

@@ -231,6 +231,18 @@ bool Furnisher::add_opposite_door(const Piece& piece) {
     return false;
 }
 
+bool Furnisher::add_beside_door(const Piece& piece) {
+    if (doors_.empty()) return false;
+    const PlanDoor& door = doors_[random_.below(doors_.size())];
+    const double half = 0.5 * piece.footprint.width() + 0.11;
+    const bool is_left = random_.uniform() < 0.5;
+    const double x = is_left ? door.opening.x0 - half : door.opening.x1 + half;
+    const double into = inwards(door, room_);
+    const Point v{into * door.frame.v.x, into * door.frame.v.y};
+    const Frame frame{door.frame.map({x, face_of(door, room_)}), door.frame.u, v};
+    return has_back(frame, piece.footprint) && place(piece, frame, 0.0);
+}
+
 bool Furnisher::add_free(const Piece& piece, const FloorPart& part, const Point& middle,
                          int quarters, double jitter_rad) {
     const double angle = 0.5 * M_PI * quarters + random_.uniform(-jitter_rad, jitter_rad);

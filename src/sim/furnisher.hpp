@@ -28,6 +28,8 @@ public:
     bool add_at_wall(const Piece& piece, double gap = 0.0);
     /// With its back to the wall that is farthest from the first door.
     bool add_opposite_door(const Piece& piece);
+    /// Against the wall of a door, just beside it.
+    bool add_beside_door(const Piece& piece);
     /// In the room at `middle` (part coordinates), turned by `quarters` right angles and a little.
     bool add_free(const Piece& piece, const FloorPart& part, const Point& middle, int quarters,
                   double jitter_rad);

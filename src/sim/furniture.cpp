@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/clutter.hpp"
 #include "sim/furnisher.hpp"
 #include "sim/piece.hpp"
 
@@ -27,11 +28,8 @@ constexpr BoxSizes kMachine{1.8, 3.6, 0.6, 0.8};
 // Chooses what stands in a room.
 class Decorator {
 public:
-    Decorator(Furnisher& furnisher, Random& random)
-        : furnisher_(furnisher),
-          random_(random),
-          make_(draw_make(random)),
-          part_(furnisher.main_part()) {
+    Decorator(Furnisher& furnisher, const Make& make, Random& random)
+        : furnisher_(furnisher), random_(random), make_(make), part_(furnisher.main_part()) {
         for (const FloorPart& part : furnisher.room().parts) area_ += part.rect.area();
     }
 
@@ -321,20 +319,28 @@ void Decorator::decorate() {
 
 }  // namespace
 
-std::vector<Obstacle> furnish(const Plan& plan, std::size_t room, double density,
-                              double open_leaves, const Raster<std::uint16_t>& labels,
-                              const CellGrid& grid, Random random) {
+std::vector<Obstacle> furnish(const Plan& plan, std::size_t room, const FurnitureOptions& options,
+                              const Raster<std::uint16_t>& labels, const CellGrid& grid,
+                              Random random) {
     const RoomUse use = plan.rooms[room].use;
+    Random litter = random.fork(1);
     Furnisher furnisher(plan, room, labels, grid, random);
-    furnisher.add_leaves(open_leaves);
-    double depth = 0.9;
+    furnisher.add_leaves(options.open_leaves);
+    const bool is_cluttered = options.clutter > 0.0;
+    double depth = is_cluttered ? 0.35 : 0.9;
     double area = 0.0;
     for (const FloorPart& part : plan.rooms[room].parts) area += part.rect.area();
-    if (use == RoomUse::cubicle || area < 6.0) depth = 0.6;
+    if (!is_cluttered && (use == RoomUse::cubicle || area < 6.0)) depth = 0.6;
     furnisher.keep_doors_clear(depth);
-    Decorator(furnisher, random).decorate();
-    if (use != RoomUse::corridor) furnisher.clear_ways();
-    return furnisher.thinned(density);
+    if (is_cluttered) add_fixtures(furnisher, options.clutter, litter);
+    const Make make = draw_make(random);
+    Decorator(furnisher, is_cluttered ? seen_from_above(make) : make, random).decorate();
+    if (is_cluttered) {
+        add_litter(furnisher, options.clutter, litter);
+    } else if (use != RoomUse::corridor) {
+        furnisher.clear_ways();
+    }
+    return furnisher.thinned(options.density);
 }
 
 }  // namespace quadcut::sim

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sim/column.hpp"
+#include "sim/openness.hpp"
 #include "sim/skeleton.hpp"
 #include "sim/unit.hpp"
 
@@ -95,6 +96,7 @@ private:
     void build_wing(const Skeleton& skeleton, const WingStyle& style, const Frame& frame,
                     std::optional<std::size_t> entry, std::size_t entry_room);
     void close_end(const OpenEnd& open);
+    bool add_lobby_at(const OpenEnd& open);
     [[nodiscard]] double frontage_for(int rooms) const;
 
     LayoutOptions options_;
@@ -293,8 +295,20 @@ bool LayoutBuilder::add_wing(double frontage) {
     return true;
 }
 
+bool LayoutBuilder::add_lobby_at(const OpenEnd& open) {
+    if (options_.openness <= 0.0 || random_.uniform() >= options_.openness) return false;
+    const Lobby lobby = draw_lobby(open.corridor_m, random_);
+    const std::vector<Polygon> space{to_polygon(open.frame, lobby.space())};
+    if (!is_free(space)) return false;
+    add_lobby(layout_.plan, lobby, open.frame, open.room);
+    layout_.wing_of_room.resize(layout_.plan.rooms.size(), layout_.wing_of_room[open.room]);
+    footprint_.push_back(space.front());
+    return true;
+}
+
 // A hall or a room across the end of a corridor, where there is space for one.
 void LayoutBuilder::close_end(const OpenEnd& open) {
+    if (add_lobby_at(open)) return;
     const double wall = random_.uniform(0.12, 0.2);
     const double depth = random_.uniform(4.0, 9.0);
     const double left = 0.5 * open.corridor_m + random_.uniform(0.3, 5.0);
@@ -368,6 +382,9 @@ Layout draw_layout(const LayoutOptions& options) {
         if (error >= best_error) continue;
         best_error = error;
         best = std::move(layout);
+    }
+    if (options.openness > 0.0) {
+        widen_doors(best.plan, 0.6 * options.openness, random.fork(kTries + 1));
     }
     add_columns(best.plan, random.fork(kTries));
     return best;

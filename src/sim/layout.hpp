@@ -21,6 +21,8 @@ struct LayoutOptions {
     int num_wings = 0;
     /// Direction of the first wing.
     double yaw_rad = 0.0;
+    /// 0: doors; 1: corridors end in lobbies and round halls, many rooms have wide openings.
+    double openness = 0.0;
 };
 
 struct Layout {

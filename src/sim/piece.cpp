@@ -138,6 +138,83 @@ Piece island_piece(const Make& make, int columns, Random& random) {
     return piece;
 }
 
+Piece shelf_row_piece(double length, double least_depth, double most_depth, Random& random) {
+    Piece piece;
+    double x = -0.5 * length;
+    double deepest = 0.0;
+    while (x < 0.5 * length - 0.2) {
+        const double width = std::min(random.uniform(0.5, 1.3), 0.5 * length - x);
+        const double depth = random.uniform(least_depth, most_depth);
+        piece.boxes.push_back({x, 0.0, x + width, depth});
+        deepest = std::max(deepest, depth);
+        x += width + (random.uniform() < 0.2 ? random.uniform(0.05, 0.3) : 0.0);
+    }
+    piece.footprint = {-0.5 * length, 0.0, 0.5 * length, deepest};
+    return piece;
+}
+
+Piece desk_row_piece(const Make& make, int columns, double width, Partitions partitions,
+                     Random& random) {
+    Piece piece;
+    constexpr double kDepth = 0.8;
+    constexpr double kSeat = 0.6;
+    constexpr double kThin = 0.06;
+    const double left = -0.5 * columns * width;
+    const double middle = kSeat + kDepth;
+    for (int i = 0; i <= columns; ++i) {
+        const double x = left + i * width;
+        if (partitions == Partitions::some && random.uniform() < 0.7) {
+            const double reach = random.uniform(0.5, kDepth + 0.5);
+            piece.boxes.push_back({x - 0.5 * kThin, middle - reach, x + 0.5 * kThin,
+                                   middle + random.uniform(0.5, kDepth + 0.5)});
+        }
+        if (i == columns) break;
+        if (partitions == Partitions::some && random.uniform() < 0.85) {
+            piece.boxes.push_back({x, middle - 0.5 * kThin, x + width, middle + 0.5 * kThin});
+        }
+        for (const double y : {kSeat, middle}) {
+            const double seat = y < middle ? y - random.uniform(-0.2, 0.35)
+                                           : y + kDepth + random.uniform(-0.2, 0.35);
+            add_desk(piece, make, {x, y, x + width, y + kDepth}, random.uniform() < 0.5);
+            const double at = x + width * random.uniform(0.25, 0.75);
+            if (random.uniform() < 0.8) add_chair(piece, make, {at, seat}, random);
+            // A drawer unit or a computer under some.
+            if (random.uniform() < 0.4) {
+                const double box = x + random.uniform(0.05, width - 0.55);
+                piece.boxes.push_back({box, y + 0.1, box + 0.42, y + 0.65});
+            }
+        }
+    }
+    piece.footprint = {left, 0.1, -left, 2.0 * middle - 0.1};
+    return piece;
+}
+
+Piece heap_piece(double radius, Random& random) {
+    Piece piece;
+    const auto count = 3 + static_cast<int>(random.below(8));
+    for (int i = 0; i < count; ++i) {
+        const double angle = random.uniform(-M_PI, M_PI);
+        const double away = radius * random.uniform();
+        const Point at{away * std::cos(angle), radius + away * std::sin(angle)};
+        const double size = random.uniform(0.02, 0.14);
+        if (random.uniform() < 0.6) {
+            piece.posts.push_back({at, size});
+        } else {
+            const double other = random.uniform(0.02, 0.2);
+            piece.boxes.push_back({at.x - size, at.y - other, at.x + size, at.y + other});
+        }
+    }
+    piece.footprint = {-radius, 0.0, radius, 2.0 * radius};
+    return piece;
+}
+
+Piece chair_piece(const Make& make, Random& random) {
+    Piece piece;
+    add_chair(piece, make, {0.0, 0.3}, random);
+    piece.footprint = {-0.25, 0.05, 0.25, 0.55};
+    return piece;
+}
+
 Piece ward_bed_piece(double width, double length) {
     Piece piece;
     for (const double x : {-0.5 * width + 0.08, 0.5 * width - 0.08}) {

@@ -32,6 +32,9 @@ struct Make {
     double leg_radius_m = 0.03;
 };
 
+/// Whether desks in rows have thin walls between them.
+enum class Partitions { none, some };
+
 [[nodiscard]] Make draw_make(Random& random);
 
 /// A box against the wall: cupboard, shelf, counter, sofa, bed, copier.
@@ -45,6 +48,17 @@ struct Make {
                                 bool ends, Random& random);
 /// Desks back to back in two rows of `columns`, with chairs.
 [[nodiscard]] Piece island_piece(const Make& make, int columns, Random& random);
+/// Shelves and cupboards side by side, `length` in all, each of another depth.
+[[nodiscard]] Piece shelf_row_piece(double length, double least_depth, double most_depth,
+                                    Random& random);
+/// Desks of `width` back to back in two rows of `columns`. With partitions: a thin wall between the
+/// rows, in places, and stubs of it between neighbours.
+[[nodiscard]] Piece desk_row_piece(const Make& make, int columns, double width,
+                                   Partitions partitions, Random& random);
+/// Bags, boxes and cables in a heap.
+[[nodiscard]] Piece heap_piece(double radius, Random& random);
+/// A chair on its own.
+[[nodiscard]] Piece chair_piece(const Make& make, Random& random);
 /// A bed on four legs.
 [[nodiscard]] Piece ward_bed_piece(double width, double length);
 

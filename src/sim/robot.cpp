@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "quadcut/map/clearance.hpp"
 #include "sim/route.hpp"
@@ -52,7 +53,8 @@ private:
 
 class Explorer::Drive {
 public:
-    Drive(const GridMap& world, const Pose& start, const RobotOptions& options)
+    Drive(const GridMap& world, const Pose& start, const RobotOptions& options,
+          Raster<std::uint8_t> seen)
         : options_(options),
           caster_(world),
           routes_(world, options.radius_m),
@@ -62,7 +64,7 @@ public:
           origin_{world.map_from_image.x, world.map_from_image.y},
           pose_(start),
           states_(world.states),
-          seen_(world.states.origin, world.states.width, world.states.height) {
+          seen_(std::move(seen)) {
         if (!routes_.fits({start.x, start.y})) {
             throw std::logic_error("Explorer: the robot does not fit at its start");
         }
@@ -162,6 +164,7 @@ bool Explorer::Drive::plan() {
         if (!way_.empty()) return true;
         only_corners_left_ = true;
     }
+    if (options_.survey == RobotOptions::Survey::floor) return false;
     way_ = routes_.find(pose_, [&](const Point& p) { return unseen_around(p) >= kLeastCorner; });
     return !way_.empty();
 }
@@ -227,7 +230,11 @@ std::optional<KeyScan> Explorer::Drive::next() {
 }
 
 Explorer::Explorer(const GridMap& world, const Pose& start, const RobotOptions& options)
-    : drive_(std::make_unique<Drive>(world, start, options)) {}
+    : Explorer(world, start, options,
+               {world.states.origin, world.states.width, world.states.height}) {}
+Explorer::Explorer(const GridMap& world, const Pose& start, const RobotOptions& options,
+                   Raster<std::uint8_t> passed_by)
+    : drive_(std::make_unique<Drive>(world, start, options, std::move(passed_by))) {}
 Explorer::~Explorer() = default;
 Explorer::Explorer(Explorer&&) noexcept = default;
 Explorer& Explorer::operator=(Explorer&&) noexcept = default;

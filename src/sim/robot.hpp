@@ -9,6 +9,7 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/raster.hpp"
 #include "quadcut/map/scan.hpp"
 #include "sim/building.hpp"
 #include "sim/laser.hpp"
@@ -28,6 +29,9 @@ struct RobotOptions {
     double radius_m = 0.22;
     /// The robot is content with what it has seen from this near.
     double survey_range_m = 5.0;
+    /// Whether it goes on until it has looked into every corner, or only to where it can stand.
+    enum class Survey { corners, floor };
+    Survey survey = Survey::corners;
     /// Standard deviations of the reported poses about the true ones, and how much of one scan's
     /// error stays in the next: 0 white, 0.9 drifting over some ten scans.
     double pose_noise_m = 0.01;
@@ -52,6 +56,9 @@ class Explorer {
 public:
     /// Throws std::logic_error when the robot does not fit at `start`.
     Explorer(const GridMap& world, const Pose& start, const RobotOptions& options);
+    /// The same, but what is not 0 in `passed_by`, on the cells of `world`, it need not see.
+    Explorer(const GridMap& world, const Pose& start, const RobotOptions& options,
+             Raster<std::uint8_t> passed_by);
     ~Explorer();
     Explorer(Explorer&&) noexcept;
     Explorer& operator=(Explorer&&) noexcept;

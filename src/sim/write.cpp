@@ -159,7 +159,10 @@ std::string encode_truth(const Building& building, const BuildingOptions& option
     json.key("resolution_m").exact_number(options.resolution_m);
     json.key("turned_wings").exact_number(options.turned_wings);
     json.key("yaw_rad").exact_number(options.yaw_rad);
-    json.key("open_leaves").exact_number(options.open_leaves).end_object();
+    json.key("open_leaves").exact_number(options.open_leaves);
+    if (options.clutter > 0.0) json.key("clutter").exact_number(options.clutter);
+    if (options.openness > 0.0) json.key("openness").exact_number(options.openness);
+    json.end_object();
     json.key("num_turned_wings").integer(static_cast<std::uint64_t>(building.num_turned_wings));
     write_rooms_and_doors(json, building);
     json.end_object();

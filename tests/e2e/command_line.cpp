@@ -91,6 +91,26 @@ TEST(Simulate, SameSeedSameBytes) {
     EXPECT_NE(files, files_below(folder / "c"));
 }
 
+TEST(Simulate, ClutterIsAsRobotsFindBuildings) {
+    const Folder folder;
+    const auto simulated = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> words{"simulate", "-o", folder / name, "--seed", "7",
+                                       "--rooms",  "6"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_quadcut(words);
+    };
+    ASSERT_EQ(simulated("plain", {}).exit_code, 0);
+    ASSERT_EQ(simulated("none", {"--clutter", "0"}).exit_code, 0);
+    ASSERT_EQ(simulated("full", {"--clutter", "1"}).exit_code, 0);
+    ASSERT_EQ(simulated("again", {"--clutter", "1"}).exit_code, 0);
+    EXPECT_EQ(files_below(folder / "plain"), files_below(folder / "none"));
+    EXPECT_EQ(files_below(folder / "full"), files_below(folder / "again"));
+    EXPECT_NE(files_below(folder / "full"), files_below(folder / "plain"));
+    EXPECT_EQ(run_quadcut({"segment", folder / "full/robot.log", "-o", folder / "rooms"}).exit_code,
+              0);
+    EXPECT_EQ(simulated("more", {"--clutter", "2"}).exit_code, 2);
+}
+
 TEST(Demo, SaysInFiveLinesWhatItDid) {
     const Folder folder;
     const Outcome outcome = run_quadcut({"demo", "-o", folder / "out"});

@@ -194,5 +194,29 @@ TEST(Robot, RefusesToStartInAWall) {
         std::logic_error);
 }
 
+// A room that it passes by it sees from outside at most; all of them: it does not set out.
+TEST(Robot, PassesByWhatItNeedNotSee) {
+    const Building building = small_building(0.0);
+    const Raster<CellState>& states = building.map.states;
+    const auto num_scans = [&](std::uint8_t passed_by) {
+        Explorer explorer(building.map, start_pose(building), coarse(),
+                          {states.origin, states.width, states.height, passed_by});
+        std::size_t count = 0;
+        while (explorer.next()) ++count;
+        return count;
+    };
+    EXPECT_EQ(num_scans(1), 1U);
+    EXPECT_GT(num_scans(0), 20U);
+}
+
+TEST(Robot, ASurveyOfTheFloorIsShorterThanOneOfTheCorners) {
+    const Building building = small_building(1.0);
+    RobotOptions options = coarse();
+    const std::size_t with_corners =
+        explore(building.map, start_pose(building), options).scans.size();
+    options.survey = RobotOptions::Survey::floor;
+    EXPECT_LT(explore(building.map, start_pose(building), options).scans.size(), with_corners);
+}
+
 }  // namespace
 }  // namespace quadcut::sim
