@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "eval/labels.hpp"
+
 namespace quadcut::gallery {
 namespace {
 
@@ -31,17 +33,6 @@ Side as_side(const GridMap& map, const io::LabelImage& image) {
 }
 
 }  // namespace
-
-io::LabelImage as_label_image(const Raster<std::uint16_t>& labels) {
-    std::vector<std::uint32_t> values;
-    values.reserve(labels.values.size());
-    const auto width = static_cast<std::ptrdiff_t>(labels.width);
-    for (std::ptrdiff_t y = labels.height - 1; y >= 0; --y) {
-        const auto row = labels.values.begin() + y * width;
-        values.insert(values.end(), row, row + width);
-    }
-    return io::number_regions(labels.width, labels.height, values);
-}
 
 Exhibit make_exhibit(std::string name, const GridMap& truth_map, const io::LabelImage& truth,
                      const GridMap& result_map, const Segmentation& result) {

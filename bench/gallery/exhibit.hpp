@@ -26,9 +26,6 @@ struct Exhibit {
     Comparison comparison;
 };
 
-/// Labels as scores want them: row 0 at the top, numbered densely, without specks.
-[[nodiscard]] io::LabelImage as_label_image(const Raster<std::uint16_t>& labels);
-
 /// @pre all four have the same cells. Throws InputError when they differ in size.
 [[nodiscard]] Exhibit make_exhibit(std::string name, const GridMap& truth_map,
                                    const io::LabelImage& truth, const GridMap& result_map,
