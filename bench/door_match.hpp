@@ -20,6 +20,8 @@ struct DoorLine {
 
 /// A found door whose middle is farther from the middle of a true one is another one.
 inline constexpr double kNearDoorM = 0.6;
+/// The two ends of a deep doorway are no farther apart.
+inline constexpr double kSameDoorwayM = 1.5;
 
 struct DoorMatch {
     std::size_t num_found = 0;
@@ -36,9 +38,10 @@ private:
     }
 };
 
-/// A found door is right when its middle is within kNearDoorM of the middle of a true one; each of
+/// A found door is right when its middle is within `near_m` of the middle of a true one; each of
 /// both sides counts once, the nearest pairs first. O(found * true).
-inline DoorMatch match_doors(std::span<const DoorLine> found, std::span<const DoorLine> truth) {
+inline DoorMatch match_doors(std::span<const DoorLine> found, std::span<const DoorLine> truth,
+                             double near_m = kNearDoorM) {
     const auto middle = [](const DoorLine& door) {
         return Point{0.5 * (door.jamb_1.x + door.jamb_2.x), 0.5 * (door.jamb_1.y + door.jamb_2.y)};
     };
@@ -46,7 +49,7 @@ inline DoorMatch match_doors(std::span<const DoorLine> found, std::span<const Do
     for (std::size_t f = 0; f < found.size(); ++f) {
         for (std::size_t t = 0; t < truth.size(); ++t) {
             const double away_m = distance(middle(found[f]), middle(truth[t]));
-            if (away_m <= kNearDoorM) near.emplace_back(away_m, f, t);
+            if (away_m <= near_m) near.emplace_back(away_m, f, t);
         }
     }
     std::sort(near.begin(), near.end());
