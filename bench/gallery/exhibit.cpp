@@ -35,15 +35,19 @@ Side as_side(const GridMap& map, const io::LabelImage& image) {
 }  // namespace
 
 Exhibit make_exhibit(std::string name, const GridMap& truth_map, const io::LabelImage& truth,
-                     const GridMap& result_map, const Segmentation& result) {
-    const io::LabelImage predicted = as_label_image(result.labels);
+                     const GridMap& result_map, const Segmentation& result,
+                     const std::optional<io::FreeMask>& surely_free) {
+    io::LabelImage predicted = as_label_image(result.labels);
+    if (surely_free) predicted = eval::without_void(predicted, truth, surely_free);
     Exhibit exhibit{std::move(name), as_side(truth_map, truth), as_side(result_map, predicted),
-                    compare(predicted, truth)};
+                    compare(predicted, truth), Raster<std::uint8_t>(result.labels.box())};
     // Regions leave out specks: the rooms' ids move up.
     std::vector<std::uint32_t> region_of(result.rooms.size() + 1);
     const Raster<std::uint16_t>& regions = exhibit.result.rooms.labels;
     for (std::size_t i = 0; i < regions.values.size(); ++i) {
         region_of[result.labels.values[i]] = regions.values[i];
+        const bool is_left_out = result.labels.values[i] != 0 && regions.values[i] == 0;
+        exhibit.left_out.values[i] = is_left_out ? 1 : 0;
     }
     for (const Room& room : result.rooms) {
         const std::uint32_t region = region_of[index(room.id)];
