@@ -5,8 +5,8 @@
 //   measure_real [BUILDING ...] [--untimed] [-o FILE.json]
 // Buildings as in bench/data_map.hpp, such as lab_intel; all when none is named. "Ceiling": what
 // fusing could reach at best (bench/perfect_fuse.hpp) with the finest pieces, and with those that
-// the spectral cut leaves. "Ratio": CPU time over that of the distance transform, as measure_speed
-// has it. Doors, where the data has them: one is found when the middle of a found one is within
+// the spectral cut leaves. "Ratio": time over that of the distance transform, as measure_speed has
+// it. Doors, where the data has them: one is found when the middle of a found one is within
 // 0.6 m of its own, each counted once, the nearest pairs first (bench/door_match.hpp); and within
 // 1.5 m, where a doorway is a metre deep and either end of it may be meant.
 #include <algorithm>
@@ -100,7 +100,10 @@ void print_map(const Measured& m) {
                 m.data->kind.c_str(), m.data->name.c_str(), 100.0 * m.score.pq, m.score.rooms,
                 m.score.truth, m.num_finest, 100.0 * m.finest_ceiling, m.num_joined,
                 100.0 * m.joined_ceiling);
-    if (m.timing) std::printf(" %5.1f | %4.1f |", m.timing->segment_ms, m.timing->cpu_ratio());
+    if (m.timing) {
+        std::printf(" %5.1f | %4.1f | %4.1f |", m.timing->segment_ms, m.timing->ratio(),
+                    m.timing->cpu_ratio());
+    }
     std::printf("\n");
 }
 
@@ -197,8 +200,9 @@ int run(int argc, char** argv) {
         return measured;
     });
     std::printf(
-        "| set | map | PQ | rooms | true | pieces | ceiling | joined | ceiling | ms | ratio |\n");
-    std::printf("|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| set | map | PQ | rooms | true | pieces | ceiling | joined | ceiling | ms | ratio | of "
+        "CPU times |\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     Json rows = Json::array();
     for (Measured& m : all) {
         // One at a time: the machine is to be idle.
