@@ -61,8 +61,7 @@ Section show_real_maps(const std::string& kind, const std::string& title, const 
         if (data.kind != kind) continue;
         const Exhibit exhibit = make_exhibit(data.name, data.map, data.truth, data.map,
                                              segment(data.map), data.surely_free);
-        section.entries.push_back(
-            write_with_faults(exhibit, "", output, "real/" + data.name + ".png"));
+        section.entries.push_back(write_with_faults(exhibit, output, "real/" + data.name + ".png"));
     }
     return section;
 }

@@ -118,8 +118,8 @@ Entry write_pair(const Exhibit& exhibit, const std::string& note,
     return entry_of(exhibit, note, image);
 }
 
-Entry write_with_faults(const Exhibit& exhibit, const std::string& note,
-                        const std::filesystem::path& output, const std::string& image) {
+Entry write_with_faults(const Exhibit& exhibit, const std::filesystem::path& output,
+                        const std::string& image) {
     constexpr double kLeastWidth = 1500.0;  // So that the texts have space.
     const FaultPane faults(exhibit);
     PairPicture picture(exhibit);
@@ -143,7 +143,7 @@ Entry write_with_faults(const Exhibit& exhibit, const std::string& note,
     faults.draw(canvas, picture.frame(), last, triple.scale, typeface);
     draw_keys(canvas, faults.keys(), {kMargin, height - kMargin}, typeface);
     write_canvas(canvas, output / image);
-    return entry_of(exhibit, note, image);
+    return entry_of(exhibit, faults.cuts_text(), image);
 }
 
 Entry write_alone(const std::string& name, const std::string& note, const GridMap& map,

@@ -16,9 +16,8 @@ namespace quadcut::gallery {
                                const std::filesystem::path& output, const std::string& image);
 
 /// The same with a third picture of what is wrong: beside the two, or, of long buildings, below
-/// them.
-[[nodiscard]] Entry write_with_faults(const Exhibit& exhibit, const std::string& note,
-                                      const std::filesystem::path& output,
+/// them. The entry's note has the cuts that are wrong.
+[[nodiscard]] Entry write_with_faults(const Exhibit& exhibit, const std::filesystem::path& output,
                                       const std::string& image);
 
 /// Writes the floor plan of a result that nothing is known to compare with.

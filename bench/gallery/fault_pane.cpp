@@ -85,19 +85,33 @@ void FaultPane::draw(draw::Canvas& canvas, const Box& frame, const Point& origin
     draw_sides(canvas, faults_.over_cut, frame, origin, pixels_per_cell, 4.5, kOverCutInk);
 }
 
-std::vector<FaultKey> FaultPane::keys() const {
+std::string FaultPane::cuts_text() const {
+    std::string text;
+    for (const FaultKey& key : cut_keys()) text += (text.empty() ? "" : ", ") + key.text;
+    return text;
+}
+
+std::vector<FaultKey> FaultPane::cut_keys() const {
     // A border at 45 degrees has more sides of cells than its length; near enough.
-    const auto metres = [this](const std::vector<CellSide>& sides) {
-        return std::to_string(std::lround(resolution_m_ * static_cast<double>(sides.size()))) +
-               " m";
+    const auto sum = [this](const char* what, std::size_t num_cuts,
+                            const std::vector<CellSide>& sides) {
+        const double length_m = resolution_m_ * static_cast<double>(sides.size());
+        return what + std::to_string(num_cuts) + " (" + std::to_string(std::lround(length_m)) +
+               " m)";
     };
     std::vector<FaultKey> keys;
-    if (!faults_.over_cut.empty()) {
-        keys.push_back({kOverCutInk, "cut too much, " + metres(faults_.over_cut)});
+    if (faults_.num_over_cuts > 0) {
+        keys.push_back(
+            {kOverCutInk, sum("cuts too many: ", faults_.num_over_cuts, faults_.over_cut)});
     }
-    if (!faults_.missed.empty()) {
-        keys.push_back({kMissedInk, "cut missed, " + metres(faults_.missed)});
+    if (faults_.num_missed_cuts > 0) {
+        keys.push_back({kMissedInk, sum("missed: ", faults_.num_missed_cuts, faults_.missed)});
     }
+    return keys;
+}
+
+std::vector<FaultKey> FaultPane::keys() const {
+    std::vector<FaultKey> keys = cut_keys();
     for (const VerdictLook& look : kLooks) {
         const auto& verdicts = faults_.verdicts.values;
         if (std::find(verdicts.begin(), verdicts.end(), look.verdict) != verdicts.end()) {

@@ -29,10 +29,14 @@ public:
               const draw::Typeface& typeface) const;
     /// The cells that it needs.
     [[nodiscard]] const Box& frame() const { return plan_.frame; }
-    /// Of what there is, with metres of border.
+    /// Of what there is, with the number and metres of the cuts.
     [[nodiscard]] std::vector<FaultKey> keys() const;
+    /// "cuts too many: 4 (14 m), missed: 9 (19 m)"; empty where all are right.
+    [[nodiscard]] std::string cuts_text() const;
 
 private:
+    [[nodiscard]] std::vector<FaultKey> cut_keys() const;
+
     Faults faults_;
     double resolution_m_;
     draw::FloorPlan plan_;

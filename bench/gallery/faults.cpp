@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "bench/gallery/faults.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "quadcut/map/clearance.hpp"
@@ -80,6 +82,20 @@ Raster<float> distance_to_borders(const Exhibit& exhibit, const Labels& labels) 
     return clearance_m(open, exhibit.result.map.resolution_m);
 }
 
+/// Borders by the pair of rooms they lie between.
+class PairTally {
+public:
+    void count(const Beside& side) { ++num_sides_[std::minmax(side.a, side.b)]; }
+    [[nodiscard]] std::size_t num_long(double least_sides) const {
+        return static_cast<std::size_t>(std::count_if(
+            num_sides_.begin(), num_sides_.end(),
+            [&](const auto& entry) { return static_cast<double>(entry.second) >= least_sides; }));
+    }
+
+private:
+    std::map<std::pair<std::uint16_t, std::uint16_t>, std::size_t> num_sides_;
+};
+
 Raster<Verdict> verdicts_of(const Exhibit& exhibit) {
     const Labels& truth = exhibit.truth.rooms.labels;
     const Labels& result = exhibit.result.rooms.labels;
@@ -114,6 +130,8 @@ Faults find_faults(const Exhibit& exhibit) {
     faults.verdicts = verdicts_of(exhibit);
     const Raster<float> to_true = distance_to_borders(exhibit, truth);
     const Raster<float> to_found = distance_to_borders(exhibit, result);
+    PairTally over_cuts;
+    PairTally missed_cuts;
     for_each_side(exhibit, [&](const CellSide& side, Cell other) {
         const Beside in_truth = beside(truth, side.cell, other);
         const Beside in_result = beside(result, side.cell, other);
@@ -121,10 +139,15 @@ Faults find_faults(const Exhibit& exhibit) {
         if (in_result.is_border()) {
             const bool is_near = to_true.at(side.cell) <= kSameBorderM;
             (is_near ? faults.agreed : faults.over_cut).push_back(side);
+            if (!is_near) over_cuts.count(in_result);
         } else if (in_truth.is_border() && to_found.at(side.cell) > kSameBorderM) {
             faults.missed.push_back(side);
+            missed_cuts.count(in_truth);
         }
     });
+    const double least_sides = kLeastCutM / exhibit.result.map.resolution_m;
+    faults.num_over_cuts = over_cuts.num_long(least_sides);
+    faults.num_missed_cuts = missed_cuts.num_long(least_sides);
     return faults;
 }
 

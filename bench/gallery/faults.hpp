@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,8 +38,13 @@ struct Faults {
     std::vector<CellSide> over_cut;
     /// Borders of the truth within a room of the result.
     std::vector<CellSide> missed;
+    /// The pairs of rooms that these borders lie between, where they have kLeastCutM or more.
+    std::size_t num_over_cuts = 0;
+    std::size_t num_missed_cuts = 0;
 };
 
+/// Shorter borders are what is left beside one that agrees.
+inline constexpr double kLeastCutM = 0.4;
 /// A border so far beside the true one is the true one.
 inline constexpr double kSameBorderM = 0.6;
 

@@ -28,7 +28,11 @@ int run(const std::filesystem::path& output, Extent extent) {
     };
     const std::filesystem::path data = shared_path("data");
     const bool has_data = std::filesystem::is_directory(data);
-    if (!has_data) std::cout << "no data in " << data.string() << ": simulated buildings at most\n";
+    if (!has_data) {
+        std::cout << "no data in " << data.string() << ": "
+                  << (extent == Extent::all ? "only simulated buildings\n" : "nothing to draw\n");
+    }
+    if (!has_data && extent == Extent::real_maps) return 0;
     if (has_data) {
         add(show_real_maps("real", "Maps as robots scan them", output));
         add(show_real_maps("growing", "One of them, growing", output));

@@ -49,6 +49,8 @@ TEST(GalleryFaults, ABorderTooManyAndOneTooFew) {
     EXPECT_TRUE(std::all_of(faults.over_cut.begin(), faults.over_cut.end(),
                             [](const CellSide& side) { return side.cell.x == 6 * kScale - 1; }));
     EXPECT_EQ(faults.agreed.size(), 20U);
+    EXPECT_EQ(faults.num_over_cuts, 1U);
+    EXPECT_EQ(faults.num_missed_cuts, 1U);
     EXPECT_EQ(verdict_at(faults, 2, 1), Verdict::right);
     EXPECT_EQ(verdict_at(faults, 4, 1), Verdict::wrong);
     EXPECT_EQ(verdict_at(faults, 0, 1), Verdict::none) << "a wall";
@@ -103,8 +105,9 @@ TEST(GalleryFaults, ThePaneSaysOnlyWhatItShows) {
     };
     const std::vector<std::string> whole{"#####", "#aab#", "#####"};
     EXPECT_EQ(texts(exhibit_of(whole, whole)), (std::vector<std::string>{"right"}));
+    EXPECT_EQ(FaultPane(exhibit_of(whole, whole)).cuts_text(), "");
     EXPECT_EQ(texts(exhibit_of(whole, {"#####", "#aaa#", "#####"})),
-              (std::vector<std::string>{"cut missed, 1 m", "right", "in a wrong room"}));
+              (std::vector<std::string>{"missed: 1 (1 m)", "right", "in a wrong room"}));
 }
 
 TEST(GalleryFaults, ThePaneDrawsEachKindInItsInk) {
