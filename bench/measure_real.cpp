@@ -5,10 +5,11 @@
 //   measure_real [BUILDING ...] [--untimed] [-o FILE.json]
 // Buildings as in bench/data_map.hpp, such as lab_intel; all when none is named. "Ceiling": what
 // fusing could reach at best (bench/perfect_fuse.hpp) with the finest pieces, and with those that
-// the spectral cut leaves. "Ratio": time over that of the distance transform, as measure_speed has
-// it. Doors, where the data has them: one is found when the middle of a found one is within
-// 0.6 m of its own, each counted once, the nearest pairs first (bench/door_match.hpp); and within
-// 1.5 m, where a doorway is a metre deep and either end of it may be meant.
+// the spectral cut leaves. "Joined right": the PQ if none of the result's cuts were too many, "cut
+// right": if none were missed. "Ratio": time over that of the distance transform, as measure_speed
+// has it. Doors, where the data has them: one is found when the middle of a found one is within 0.6
+// m of its own, each counted once, the nearest pairs first (bench/door_match.hpp); and within 1.5
+// m, where a doorway is a metre deep and either end of it may be meant.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -49,6 +50,8 @@ struct Measured {
     std::uint32_t num_joined = 0;
     double finest_ceiling = 0.0;
     double joined_ceiling = 0.0;
+    double pq_joined_right = 0.0;
+    double pq_cut_right = 0.0;
     std::optional<MatchedDoors> doors;
     std::optional<Timing> timing;
 };
@@ -85,21 +88,25 @@ Measured measure(const DataMap& data) {
     const Segmentation rooms = segment(data.map, {}, RunOptions{1});
     const CandidatePieces pieces = candidate_pieces(data.map, {});
     const Raster<std::uint32_t> truth = as_raster(data.truth);
+    Raster<std::uint32_t> labels(rooms.labels.box());
+    std::copy(rooms.labels.values.begin(), rooms.labels.values.end(), labels.values.begin());
     return {&data,
             score_of(data, rooms.labels),
             count_of(pieces.finest),
             count_of(pieces.joined),
             score_of(data, fused_by_truth(pieces.finest, truth)).pq,
             score_of(data, fused_by_truth(pieces.joined, truth)).pq,
+            score_of(data, fused_by_truth(labels, truth)).pq,
+            score_of(data, cut_by_truth(labels, truth)).pq,
             match_doors_of(data, rooms),
             std::nullopt};
 }
 
 void print_map(const Measured& m) {
-    std::printf("| %-8s | %-18s | %5.1f | %3u | %3u | %5u | %5.1f | %5u | %5.1f |",
+    std::printf("| %-8s | %-18s | %5.1f | %3u | %3u | %5.1f | %5.1f | %5u | %5.1f | %5u | %5.1f |",
                 m.data->kind.c_str(), m.data->name.c_str(), 100.0 * m.score.pq, m.score.rooms,
-                m.score.truth, m.num_finest, 100.0 * m.finest_ceiling, m.num_joined,
-                100.0 * m.joined_ceiling);
+                m.score.truth, 100.0 * m.pq_joined_right, 100.0 * m.pq_cut_right, m.num_finest,
+                100.0 * m.finest_ceiling, m.num_joined, 100.0 * m.joined_ceiling);
     if (m.timing) {
         std::printf(" %5.1f | %4.1f | %4.1f |", m.timing->segment_ms, m.timing->ratio(),
                     m.timing->cpu_ratio());
@@ -111,20 +118,21 @@ void print_means(const std::vector<Measured>& all) {
     std::map<std::string, std::vector<const Measured*>> sets;
     for (const Measured& m : all) sets[m.data->kind].push_back(&m);
     for (const auto& [kind, set] : sets) {
-        double pq = 0.0;
-        double finest = 0.0;
-        double joined = 0.0;
         double least = 1.0;
-        for (const Measured* m : set) {
-            pq += m->score.pq;
-            finest += m->finest_ceiling;
-            joined += m->joined_ceiling;
-            least = std::min(least, m->score.pq);
-        }
-        const double per = 100.0 / static_cast<double>(set.size());
+        for (const Measured* m : set) least = std::min(least, m->score.pq);
+        const auto mean = [&set = set](const auto& value) {
+            double sum = 0.0;
+            for (const Measured* m : set) sum += value(*m);
+            return 100.0 * sum / static_cast<double>(set.size());
+        };
         std::printf(
-            "%-8s mean PQ %.1f, least %.1f, mean ceiling %.1f, of joined pieces %.1f, %zu maps\n",
-            kind.c_str(), per * pq, 100.0 * least, per * finest, per * joined, set.size());
+            "%-8s mean PQ %.1f, least %.1f, joined right %.1f, cut right %.1f, ceiling %.1f, of "
+            "joined pieces %.1f, %zu maps\n",
+            kind.c_str(), mean([](const Measured& m) { return m.score.pq; }), 100.0 * least,
+            mean([](const Measured& m) { return m.pq_joined_right; }),
+            mean([](const Measured& m) { return m.pq_cut_right; }),
+            mean([](const Measured& m) { return m.finest_ceiling; }),
+            mean([](const Measured& m) { return m.joined_ceiling; }), set.size());
     }
 }
 
@@ -200,9 +208,9 @@ int run(int argc, char** argv) {
         return measured;
     });
     std::printf(
-        "| set | map | PQ | rooms | true | pieces | ceiling | joined | ceiling | ms | ratio | of "
-        "CPU times |\n");
-    std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| set | map | PQ | rooms | true | joined right | cut right | pieces | ceiling | joined | "
+        "ceiling | ms | ratio | of CPU times |\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     Json rows = Json::array();
     for (Measured& m : all) {
         // One at a time: the machine is to be idle.

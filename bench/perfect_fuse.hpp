@@ -38,4 +38,20 @@ inline Raster<std::uint32_t> fused_by_truth(const Raster<std::uint32_t>& pieces,
     return rooms;
 }
 
+/// The rooms with all borders of the truth cut, too, and none taken away: what is left to gain
+/// where cuts are missing. 0 where the truth has no room. O(cells log rooms).
+/// @pre as fused_by_truth.
+inline Raster<std::uint32_t> cut_by_truth(const Raster<std::uint32_t>& rooms,
+                                          const Raster<std::uint32_t>& truth) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+    Raster<std::uint32_t> parts(rooms.box());
+    for (std::size_t i = 0; i < rooms.values.size(); ++i) {
+        if (rooms.values[i] == 0 || truth.values[i] == 0) continue;
+        const auto next = static_cast<std::uint32_t>(numbers.size() + 1);
+        parts.values[i] =
+            numbers.try_emplace({rooms.values[i], truth.values[i]}, next).first->second;
+    }
+    return parts;
+}
+
 }  // namespace quadcut

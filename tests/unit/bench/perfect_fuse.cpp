@@ -27,5 +27,10 @@ TEST(PerfectFuse, JoinsPiecesOfOneRoomAndLeavesTheVoid) {
     EXPECT_EQ(rooms.values, row_of({5, 5, 5, 0, 0, 0}).values);
 }
 
+TEST(CutByTruth, CutsAllTrueBordersAndKeepsTheRest) {
+    const auto parts = cut_by_truth(row_of({1, 1, 2, 2, 2, 0, 1}), row_of({4, 5, 5, 5, 0, 5, 4}));
+    EXPECT_EQ(parts.values, row_of({1, 2, 3, 3, 0, 0, 1}).values);
+}
+
 }  // namespace
 }  // namespace quadcut
