@@ -148,11 +148,18 @@ void print_doors(const Measured& m) {
 }
 
 Json row_of(const Measured& m) {
-    Json row{{"input", m.data->name},         {"kind", m.data->kind},
-             {"building", m.data->building},  {"pq", m.score.pq},
-             {"rooms", m.score.rooms},        {"true_rooms", m.score.truth},
-             {"pieces", m.num_finest},        {"ceiling", m.finest_ceiling},
-             {"joined_pieces", m.num_joined}, {"joined_ceiling", m.joined_ceiling}};
+    Json row{{"input", m.data->name},
+             {"kind", m.data->kind},
+             {"building", m.data->building},
+             {"pq", m.score.pq},
+             {"rooms", m.score.rooms},
+             {"true_rooms", m.score.truth},
+             {"pieces", m.num_finest},
+             {"ceiling", m.finest_ceiling},
+             {"joined_pieces", m.num_joined},
+             {"joined_ceiling", m.joined_ceiling},
+             {"pq_joined_right", m.pq_joined_right},
+             {"pq_cut_right", m.pq_cut_right}};
     if (m.doors) {
         const DoorMatch& near = m.doors->near;
         row["doors"] = {{"found", near.num_found},
