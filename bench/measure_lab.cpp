@@ -37,6 +37,7 @@
 #include "quadcut/segment/options.hpp"
 #include "sim/building.hpp"
 #include "sim/robot.hpp"
+#include "sim/reality.hpp"
 
 namespace quadcut {
 namespace {
@@ -49,7 +50,7 @@ constexpr std::array<double, 2> kScaled{0.7, 1.5};
 /// From these log-odds on a cut is kept.
 const double kKept = fuse_threshold(RoomsOptions{}.granularity);
 /// A component this small is the inside of furniture, not of a building.
-constexpr double kMinComponentM2 = 4.0;
+constexpr double kMinComponentM2 = 2.0;
 
 /// Of what door_cues() measures, in its order.
 constexpr std::array<std::string_view, kNumDoorCues> kCueNames{"half_width_m","narrower_peak_1.5","narrower_peak_3","narrower_peak_5","wider_peak_1.5","wider_peak_3","wider_peak_5","narrower_reach","wider_reach","narrower_area_5","wider_area_5","narrower_area_3_m2","wider_area_3_m2","less_thin_wall_m","more_thin_wall_m","less_flush_wall_m","more_flush_wall_m","border_ratio","widening_1_less_m","widening_1_more_m","widening_2_less_m","widening_2_more_m","jamb_distance_m","narrower_spread_3","wider_spread_3","less_spread_3","more_spread_3","narrower_spread_5","wider_spread_5","narrower_region_m2","wider_region_m2","narrower_region_peak","wider_region_peak","narrower_elongation","wider_elongation","narrower_openings","wider_openings","less_line_m","more_line_m","free_half_width_m","free_narrower_peak_1.5","free_narrower_peak_3","free_narrower_peak_5","free_wider_peak_1.5","free_wider_peak_3","free_wider_peak_5","free_narrower_reach","free_wider_reach","free_narrower_area_5","free_wider_area_5","free_narrower_area_3_m2","free_wider_area_3_m2","free_less_thin_wall_m","free_more_thin_wall_m","free_less_flush_wall_m","free_more_flush_wall_m","free_border_ratio","free_widening_1_less_m","free_widening_1_more_m","free_widening_2_less_m","free_widening_2_more_m","free_jamb_distance_m","free_narrower_spread_3","free_wider_spread_3","free_less_spread_3","free_more_spread_3","free_narrower_spread_5","free_wider_spread_5","free_narrower_region_m2","free_wider_region_m2","free_narrower_region_peak","free_wider_region_peak","free_narrower_elongation","free_wider_elongation","free_narrower_openings","free_wider_openings","free_less_line_m","free_more_line_m","share_in_line","less_wall_m","more_wall_m","free_share_in_line","free_less_wall_m","free_more_wall_m","narrow_solidity","narrow_thickness_m","narrow_aspect","narrow_fill","narrow_open_share","narrow_width","narrow_free_width","wide_solidity","wide_thickness_m","wide_aspect","wide_fill","wide_open_share","wide_width","wide_free_width","joined_solidity","joined_thickness_m","joined_aspect","joined_fill","joined_open_share","joined_width","joined_free_width","width_ratio","hull_growth","less_open_line_m","more_open_line_m","less_free_line_m","more_free_line_m"};
@@ -72,6 +73,7 @@ public:
             if (truth.values[i] != 0) ++shares_[pieces.values[i]][truth.values[i]];
         }
     }
+    bool has_void = false;
     void join(std::uint32_t a, std::uint32_t b) {
         for (const auto& [room, count] : shares_[b]) shares_[a][room] += count;
         num_cells_[a] += num_cells_[b];
@@ -84,6 +86,7 @@ public:
             sum += count;
             if (count > most.second) most = {room, count};
         }
+        if (10 * sum < 3 * num_cells_[region] && num_cells_[region] > 0 && has_void) return 0xFFFFFFFFU;
         const bool is_clear = 10 * sum >= 3 * num_cells_[region] && 10 * most.second >= 6 * sum;
         return is_clear ? most.first : 0;
     }
@@ -114,7 +117,7 @@ void join_spectral_pieces(RegionGraph& regions, RegionTruth& rooms) {
 }
 
 std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth,
-                                    PieceSource pieces) {
+                                    PieceSource pieces, bool has_void = false) {
     const auto kept = inside(map, {}, kMinComponentM2);
     const char* furn = std::getenv("FURN");
     const auto open = open_space(kept, map.resolution_m, furn ? std::atof(furn) : RoomsOptions{}.max_furniture_m2);
@@ -128,6 +131,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
     spread_labels(open, basins.labels);
     RegionGraph regions(basins.labels, basins.count, {clearance, free_clearance, map.states, lines, map.resolution_m});
     RegionTruth rooms(basins.labels, basins.count, truth);
+    rooms.has_void = has_void;
     if (pieces == PieceSource::spectral) join_spectral_pieces(regions, rooms);
     std::priority_queue<Candidate> queue;
     const auto push = [&](std::uint32_t a, std::uint32_t b) {
@@ -153,7 +157,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
         }
         const std::uint32_t room_a = rooms.room_of(top.a);
         const std::uint32_t room_b = rooms.room_of(top.b);
-        const bool is_clear = room_a != 0 && room_b != 0;
+        const bool is_clear = room_a != 0 && room_b != 0 && !(room_a == 0xFFFFFFFFU && room_b == 0xFFFFFFFFU);
         top.sample.is_cut = is_clear ? room_a != room_b : top.sample.log_odds >= kKept;
         const double area_m2 = std::min(regions.area_m2(top.a), regions.area_m2(top.b));
         if (is_clear && area_m2 >= kMinAreaM2) samples.push_back(top.sample);
@@ -174,6 +178,7 @@ EvalRow evaluate(const std::string& kind, const GridMap& map, const Raster<std::
     const auto start = std::chrono::steady_clock::now();
     SegmentOptions options;
     if (const char* g = std::getenv("GRAN")) options.rooms.granularity = std::atof(g);
+    options.rooms.min_component_m2 = std::getenv("MINC") ? std::atof(std::getenv("MINC")) : 2.0;
     if (const char* g = std::getenv("FURN")) options.rooms.max_furniture_m2 = std::atof(g);
     if (const char* g = std::getenv("BASINS")) options.rooms.pieces = std::atoi(g) ? PieceSource::basins : PieceSource::spectral;
     Segmentation rooms = segment(map, options, RunOptions{1}, trajectory);
@@ -235,31 +240,9 @@ private:
     std::map<std::string, Tally> tallies_;
 };
 
-std::string building_of_real(const std::string& n) {
-    if (n.rfind("intel", 0) == 0) return "lab_intel";
-    if (n.rfind("fr101", 0) == 0) return "Freiburg101_scan";
-    if (n.find("cartesium") != std::string::npos) return "cartesium";
-    return n;
-}
 std::vector<DataMap> all_maps() {
-    namespace fs = std::filesystem;
     std::vector<DataMap> maps = read_data_maps();
-    for (const char* f : {"data/real", "data/real/growing"}) {
-        const fs::path folder = shared_path(f);
-        std::vector<DataMap> some;
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() != ".yaml") continue;
-            DataMap map;
-            map.name = entry.path().stem().string();
-            map.building = building_of_real(map.name);
-            map.kind = folder.filename() == "growing" ? "growing" : map.name == "campus_1" ? "campus" : "real";
-            map.map = io::read_map(entry.path()).map;
-            map.truth = io::read_label_image(folder / (map.name + ".rooms.png"));
-            some.push_back(std::move(map));
-        }
-        std::sort(some.begin(), some.end(), [](const DataMap& p, const DataMap& q) { return p.name < q.name; });
-        for (auto& m : some) maps.push_back(std::move(m));
-    }
+    for (DataMap& map : read_real_maps("")) maps.push_back(std::move(map));
     return maps;
 }
 
@@ -271,9 +254,9 @@ void add_data(PieceSource pieces, Report& report) {
         const DataMap& data = maps[i];
         const Raster<std::uint32_t> truth = as_raster(data.truth);
         std::vector<std::vector<Sample>> out;
-        out.push_back(decide_by_truth(data.map, truth, pieces));
+        out.push_back(decide_by_truth(data.map, truth, pieces, data.kind == "real" || data.kind == "growing"));
         const auto add_changed = [&](const Resampling& change) {
-            out.push_back(decide_by_truth(resample(data.map, change), resample_nearest(truth, change), pieces));
+            out.push_back(decide_by_truth(resample(data.map, change), resample_nearest(truth, change), pieces, data.kind == "real"));
         };
         if (data.kind == "growing") return out;
         for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
@@ -333,6 +316,20 @@ void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
     }
 }
 
+void add_cluttered(int num, PieceSource pieces, Report& report) {
+    const auto all = run_cases<std::vector<Sample>>(static_cast<std::size_t>(num), [&](std::size_t i) {
+        sim::RealityOptions options;
+        options.seed = static_cast<std::uint64_t>(20001 + i);
+        options.num_rooms = 12 + static_cast<int>(i) * 7 % 37;
+        const sim::RealMap real = sim::scan_as_robots_do(options);
+        return decide_by_truth(real.map, real.truth, pieces, true);
+    });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string name = "seed_cluttered_" + std::to_string(i);
+        report.add(name, name, "simulated cluttered", all[i]);
+    }
+}
+
 int run_eval(int argc, char** argv) {
     std::string only; std::size_t sim = 0;
     for (int i = 2; i + 1 < argc; i += 2) {
@@ -341,7 +338,15 @@ int run_eval(int argc, char** argv) {
     }
     std::vector<DataMap> maps;
     for (DataMap& m : all_maps()) if (only.empty() || m.building == only || m.kind == only) maps.push_back(std::move(m));
-    const auto rows = run_cases<EvalRow>(maps.size() + sim, [&](std::size_t i) {
+    const std::size_t clut = only.empty() ? sim / 2 : 0;
+    const auto rows = run_cases<EvalRow>(maps.size() + sim + clut, [&](std::size_t i) {
+        if (i >= maps.size() + sim) {
+            sim::RealityOptions options;
+            options.seed = static_cast<std::uint64_t>(40001 + i - maps.size() - sim);
+            options.num_rooms = 12 + static_cast<int>(i) * 7 % 37;
+            const sim::RealMap real = sim::scan_as_robots_do(options);
+            return evaluate("cluttered", real.map, real.truth, true, {});
+        }
         if (i >= maps.size()) {
             const MappedBuilding mapped = map_building(building_case(i - maps.size()));
             return evaluate("simulated", mapped.map, mapped.truth, false, mapped.trajectory);
@@ -388,10 +393,11 @@ int run(int argc, char** argv) {
     if (argc == 4 && std::string(argv[1]) == "dump") return run_dump(argv[2], argv[3]);
     if (argc > 1 && std::string(argv[1]) == "eval") return run_eval(argc, argv);
     std::string csv;
-    int num_buildings = 100;
+    int num_buildings = 100, num_cluttered = 200;
     PieceSource pieces = RoomsOptions{}.pieces;
     for (int i = 1; i + 1 < argc; i += 2) {
         if (std::string(argv[i]) == "-o") csv = argv[i + 1];
+        if (std::string(argv[i]) == "--cluttered") num_cluttered = std::stoi(argv[i + 1]);
         if (std::string(argv[i]) == "--buildings") num_buildings = std::stoi(argv[i + 1]);
         if (std::string(argv[i]) != "--pieces") continue;
         const bool is_spectral = std::string(argv[i + 1]) == "spectral";
@@ -400,6 +406,7 @@ int run(int argc, char** argv) {
     Report report(csv);
     add_data(pieces, report);
     add_simulated(num_buildings, pieces, report);
+    add_cluttered(num_cluttered, pieces, report);
     report.print();
     return 0;
 }

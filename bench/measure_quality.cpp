@@ -14,6 +14,7 @@
 
 #include "bench/cases.hpp"
 #include "bench/result_file.hpp"
+#include "eval/labels.hpp"
 #include "eval/score.hpp"
 #include "io/carmen.hpp"
 #include "io/map_server.hpp"
@@ -35,18 +36,6 @@ struct Method {
 const std::vector<Method> kMethods{{"rooms", Preset::rooms, false},
                                    {"paper", Preset::paper, false},
                                    {"paper, told K", Preset::paper, true}};
-
-/// The labels as scores want them: row 0 at the top.
-io::LabelImage image_of(const Raster<std::uint16_t>& labels) {
-    std::vector<std::uint32_t> values;
-    values.reserve(labels.values.size());
-    const auto width = static_cast<std::size_t>(labels.width);
-    for (std::size_t y = static_cast<std::size_t>(labels.height); y-- > 0;) {
-        values.insert(values.end(), labels.values.begin() + static_cast<std::ptrdiff_t>(y * width),
-                      labels.values.begin() + static_cast<std::ptrdiff_t>((y + 1) * width));
-    }
-    return io::number_regions(labels.width, labels.height, values);
-}
 
 struct Run {
     Segmentation rooms;
@@ -109,7 +98,7 @@ void score_maps(const fs::path& folder, Json& rows) {
         for (const Method& method : kMethods) {
             const Run run = timed_segment(map, method, truth.num_regions, {});
             auto row = row_of(name, method.name, run);
-            add_score(row, eval::score_rooms(image_of(run.rooms.labels), truth, free));
+            add_score(row, eval::score_rooms(as_label_image(run.rooms.labels), truth, free));
             print_row(row);
             rows.push_back(std::move(row));
         }

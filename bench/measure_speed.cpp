@@ -7,66 +7,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/cases.hpp"
-#include "bench/cpu_time.hpp"
-#include "bench/distance_transform.hpp"
 #include "bench/result_file.hpp"
+#include "bench/segment_timing.hpp"
 #include "io/map_server.hpp"
-#include "quadcut/segment/options.hpp"
-#include "quadcut/segment/segment.hpp"
 
 namespace quadcut {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kRuns = 15;
-constexpr int kNumThreads = 2;
-
-struct Timing {
-    std::string map;
-    std::size_t num_cells = 0;
-    double segment_ms = std::numeric_limits<double>::infinity();
-    double transform_ms = std::numeric_limits<double>::infinity();
-    /// Of all threads together: more than the wall time when two work, and hardly more when others
-    /// use the machine.
-    double segment_cpu_ms = std::numeric_limits<double>::infinity();
-    double transform_cpu_ms = std::numeric_limits<double>::infinity();
-    /// Of the fastest run.
-    std::vector<std::pair<std::string, double>> stages_ms;
-
-    [[nodiscard]] double ratio() const { return segment_ms / transform_ms; }
-    [[nodiscard]] double cpu_ratio() const { return segment_cpu_ms / transform_cpu_ms; }
-};
-
-/// The fastest of each; both take turns, so that what else the machine does meets both.
-Timing time_map(const std::string& name, const GridMap& map) {
-    Timing timing;
-    timing.map = name;
-    timing.num_cells = map.states.values.size();
-    const cv::Mat image = free_image(map);
-    const RunOptions run_options{kNumThreads};
-    cv::Mat distances;
-    for (int run = 0; run < kRuns; ++run) {
-        const double start_cpu_ms = cpu_ms();
-        timing.transform_ms =
-            std::min(timing.transform_ms, distance_transform_ms(image, distances));
-        const double between_cpu_ms = cpu_ms();
-        timing.transform_cpu_ms = std::min(timing.transform_cpu_ms, between_cpu_ms - start_cpu_ms);
-        Segmentation rooms;
-        const double elapsed_ms = timed_ms([&] { rooms = segment(map, {}, run_options); });
-        timing.segment_cpu_ms = std::min(timing.segment_cpu_ms, cpu_ms() - between_cpu_ms);
-        if (elapsed_ms >= timing.segment_ms) continue;
-        timing.segment_ms = elapsed_ms;
-        timing.stages_ms = std::move(rooms.report.stages_ms);
-    }
-    return timing;
-}
 
 std::vector<Timing> time_maps(const fs::path& folder) {
     std::vector<fs::path> paths;
@@ -112,7 +64,6 @@ int run(int argc, char** argv) {
         std::cout << "no data in " << folder.string() << ": nothing to measure\n";
         return 0;
     }
-    cv::setNumThreads(kNumThreads);
     const std::vector<Timing> timings = time_maps(folder);
     if (timings.empty()) return 0;
     print_table(timings);

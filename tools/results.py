@@ -254,6 +254,34 @@ def speed(files: dict, old: str) -> str | None:
             + source(files["speed"]))
 
 
+def real(files: dict, old: str) -> str | None:
+    del old
+    if "real" not in files:
+        return None
+    rows = files["real"]["rows"]
+    shares = ("pq", "pq_joined_right", "pq_cut_right", "ceiling", "joined_ceiling")
+    sets = [("scanned", "real"), ("growing", "growing"), ("drawn", "campus")]
+    lines = []
+    for text, kind in sets:
+        of_kind = [row for row in rows if row["kind"] == kind]
+        lines += [[row["input"], f"{100 * row['pq']:.1f}", str(row["rooms"]), str(row["true_rooms"]),
+                   *(f"{100 * row[key]:.1f}" for key in shares[1:]),
+                   f"{row['segment_ms']:.0f}" if "segment_ms" in row else DASH,
+                   f"{row['ratio']:.1f}" if "ratio" in row else DASH,
+                   f"{row['cpu_ratio']:.1f}" if "cpu_ratio" in row else DASH] for row in of_kind]
+        if len(of_kind) > 1:
+            means = [f"**{100 * statistics.mean(row[key] for row in of_kind):.1f}**"
+                     for key in shares]
+            lines.append([f"**{text}, mean of {len(of_kind)}**", means[0], "", "", *means[1:], "", "", ""])
+    doors = "".join(f"\n{row['input']}: {row['doors']['found']} doors found of {row['doors']['true']}, "
+                    f"precision {100 * row['doors']['precision']:.1f}, recall "
+                    f"{100 * row['doors']['recall']:.1f}, F1 {100 * row['doors']['f1']:.1f}; either end of "
+                    f"a deep doorway allowed: F1 {100 * row['doors']['f1_at_doorway']:.1f}.\n"
+                    for row in rows if "doors" in row)
+    return (table(["map", "PQ", "rooms", "true", "joined right", "cut right", "ceiling",
+                   "after the spectral cut", "`segment()` ms", "ratio", "of CPU times"], lines) + doors + source(files["real"]))
+
+
 def scale(files: dict, old: str) -> str | None:
     del old
     if "scale" not in files:
@@ -518,7 +546,7 @@ def closure(files: dict, old: str) -> str | None:
 
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
-          "ablation": ablation, "speed": speed, "scale": scale, "stages": stages,
+          "ablation": ablation, "speed": speed, "real": real, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
           "headers": headers, "independence": independence, "zones": zones, "paper": paper,
           "route": route, "closure": closure, "realism": realism}

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/data_map.hpp"
 #include "bench/gallery/entry_picture.hpp"
 #include "bench/gallery/shows.hpp"
 #include "io/carmen.hpp"
@@ -50,6 +51,17 @@ Section show_true_maps(const fs::path& data, const fs::path& output) {
         const Exhibit exhibit =
             make_exhibit(name, map, io::read_label_image(truth_path), map, segment(map));
         section.entries.push_back(write_pair(exhibit, "", output, "rooms/" + name + ".png"));
+    }
+    return section;
+}
+
+Section show_real_maps(const std::string& kind, const std::string& title, const fs::path& output) {
+    Section section{title, {}};
+    for (const DataMap& data : read_real_maps()) {
+        if (data.kind != kind) continue;
+        const Exhibit exhibit = make_exhibit(data.name, data.map, data.truth, data.map,
+                                             segment(data.map), data.surely_free);
+        section.entries.push_back(write_with_faults(exhibit, output, "real/" + data.name + ".png"));
     }
     return section;
 }

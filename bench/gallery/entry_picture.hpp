@@ -15,6 +15,11 @@ namespace quadcut::gallery {
 [[nodiscard]] Entry write_pair(const Exhibit& exhibit, const std::string& note,
                                const std::filesystem::path& output, const std::string& image);
 
+/// The same with a third picture of what is wrong: beside the two, or, of long buildings, below
+/// them. The entry's note has the cuts that are wrong.
+[[nodiscard]] Entry write_with_faults(const Exhibit& exhibit, const std::filesystem::path& output,
+                                      const std::string& image);
+
 /// Writes the floor plan of a result that nothing is known to compare with.
 [[nodiscard]] Entry write_alone(const std::string& name, const std::string& note,
                                 const GridMap& map, const Segmentation& rooms,

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "eval/labels.hpp"
+
 namespace quadcut::gallery {
 namespace {
 
@@ -32,27 +34,20 @@ Side as_side(const GridMap& map, const io::LabelImage& image) {
 
 }  // namespace
 
-io::LabelImage as_label_image(const Raster<std::uint16_t>& labels) {
-    std::vector<std::uint32_t> values;
-    values.reserve(labels.values.size());
-    const auto width = static_cast<std::ptrdiff_t>(labels.width);
-    for (std::ptrdiff_t y = labels.height - 1; y >= 0; --y) {
-        const auto row = labels.values.begin() + y * width;
-        values.insert(values.end(), row, row + width);
-    }
-    return io::number_regions(labels.width, labels.height, values);
-}
-
 Exhibit make_exhibit(std::string name, const GridMap& truth_map, const io::LabelImage& truth,
-                     const GridMap& result_map, const Segmentation& result) {
-    const io::LabelImage predicted = as_label_image(result.labels);
+                     const GridMap& result_map, const Segmentation& result,
+                     const std::optional<io::FreeMask>& surely_free) {
+    io::LabelImage predicted = as_label_image(result.labels);
+    if (surely_free) predicted = eval::without_void(predicted, truth, surely_free);
     Exhibit exhibit{std::move(name), as_side(truth_map, truth), as_side(result_map, predicted),
-                    compare(predicted, truth)};
+                    compare(predicted, truth), Raster<std::uint8_t>(result.labels.box())};
     // Regions leave out specks: the rooms' ids move up.
     std::vector<std::uint32_t> region_of(result.rooms.size() + 1);
     const Raster<std::uint16_t>& regions = exhibit.result.rooms.labels;
     for (std::size_t i = 0; i < regions.values.size(); ++i) {
         region_of[result.labels.values[i]] = regions.values[i];
+        const bool is_left_out = result.labels.values[i] != 0 && regions.values[i] == 0;
+        exhibit.left_out.values[i] = is_left_out ? 1 : 0;
     }
     for (const Room& room : result.rooms) {
         const std::uint32_t region = region_of[index(room.id)];

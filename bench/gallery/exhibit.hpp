@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "bench/gallery/comparison.hpp"
@@ -24,15 +26,16 @@ struct Exhibit {
     Side truth;
     Side result;
     Comparison comparison;
+    /// 1 where the result has a room that counts nowhere: a speck, or one in the void.
+    Raster<std::uint8_t> left_out;
 };
 
-/// Labels as scores want them: row 0 at the top, numbered densely, without specks.
-[[nodiscard]] io::LabelImage as_label_image(const Raster<std::uint16_t>& labels);
-
-/// @pre all four have the same cells. Throws InputError when they differ in size.
+/// With the cells that are surely free, rooms in the void are left out (eval::without_void).
+/// @pre all have the same cells. Throws InputError when they differ in size.
 [[nodiscard]] Exhibit make_exhibit(std::string name, const GridMap& truth_map,
                                    const io::LabelImage& truth, const GridMap& result_map,
-                                   const Segmentation& result);
+                                   const Segmentation& result,
+                                   const std::optional<io::FreeMask>& surely_free = std::nullopt);
 
 /// What a map and its rooms have at the centres of the cells of `frame`; unknown and 0 beyond.
 /// Doors and rooms stay as they are. O(cells of the frame).

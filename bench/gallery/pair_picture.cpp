@@ -147,38 +147,48 @@ double PairPicture::pane_height(double pixels_per_cell) const {
     return frame_.height() * pixels_per_cell;
 }
 
-draw::FloorPlan PairPicture::plan_at(const Pane& pane, const Point& origin,
-                                     double pixels_per_cell) const {
-    const double factor = pixels_per_cell / (2.0 * pane.plan.pixels_per_half_cell);
-    const Point corner{origin.x + (pane.plan.frame.low.x - frame_.low.x) * pixels_per_cell,
-                       origin.y + (frame_.high.y - pane.plan.frame.high.y) * pixels_per_cell};
-    draw::FloorPlan plan = draw::placed(pane.plan, factor,
-                                        {corner.x - factor * pane.plan.drawing_origin.x,
-                                         corner.y - factor * pane.plan.drawing_origin.y});
-    plan.border_width = 0.8;
-    plan.door_width = 2.2;
-    return plan;
+draw::FloorPlan plan_in_frame(const draw::FloorPlan& plan, const Box& frame, const Point& origin,
+                              double pixels_per_cell) {
+    const double factor = pixels_per_cell / (2.0 * plan.pixels_per_half_cell);
+    const Point corner{origin.x + (plan.frame.low.x - frame.low.x) * pixels_per_cell,
+                       origin.y + (frame.high.y - plan.frame.high.y) * pixels_per_cell};
+    draw::FloorPlan placed = draw::placed(
+        plan, factor,
+        {corner.x - factor * plan.drawing_origin.x, corner.y - factor * plan.drawing_origin.y});
+    placed.border_width = 0.8;
+    placed.door_width = 2.2;
+    return placed;
 }
 
 void PairPicture::draw(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
                        const draw::Typeface& typeface) const {
+    draw_truth(canvas, origin, pixels_per_cell, typeface);
     const Point right{origin.x + pane_width(pixels_per_cell) + kGap, origin.y};
-    const draw::FloorPlan truth = plan_at(truth_, origin, pixels_per_cell);
-    const draw::FloorPlan result = plan_at(result_, right, pixels_per_cell);
-    draw::draw_plan(canvas, truth, typeface);
-    draw::draw_plan(canvas, result, typeface);
+    draw_result(canvas, right, pixels_per_cell, typeface);
+}
+
+void PairPicture::draw_truth(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+                             const draw::Typeface& typeface) const {
+    const draw::FloorPlan plan = plan_in_frame(truth_.plan, frame_, origin, pixels_per_cell);
+    draw::draw_plan(canvas, plan, typeface);
+    draw_errors(canvas, truth_, plan, origin, pixels_per_cell, typeface);
+}
+
+void PairPicture::draw_result(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+                              const draw::Typeface& typeface) const {
+    const draw::FloorPlan plan = plan_in_frame(result_.plan, frame_, origin, pixels_per_cell);
+    draw::draw_plan(canvas, plan, typeface);
 
     constexpr double kTruthLine = 1.3;
     draw::Shape borders;
-    const draw::FloorPlan truth_at_right = plan_at(truth_, right, pixels_per_cell);
-    for (const draw::DrawnRoom& room : truth_at_right.rooms) {
-        for (const std::vector<Point>& polygon : on_page(truth_at_right, room)) {
+    const draw::FloorPlan truth = plan_in_frame(truth_.plan, frame_, origin, pixels_per_cell);
+    for (const draw::DrawnRoom& room : truth.rooms) {
+        for (const std::vector<Point>& polygon : on_page(truth, room)) {
             borders.add_closed_line(polygon, kTruthLine);
         }
     }
     canvas.fill(std::move(borders), draw::kWallInk);
-    draw_errors(canvas, truth_, truth, origin, pixels_per_cell, typeface);
-    draw_errors(canvas, result_, result, right, pixels_per_cell, typeface);
+    draw_errors(canvas, result_, plan, origin, pixels_per_cell, typeface);
 }
 
 void PairPicture::draw_errors(draw::Canvas& canvas, const Pane& pane, const draw::FloorPlan& plan,

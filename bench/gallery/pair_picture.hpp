@@ -15,6 +15,10 @@ namespace quadcut::gallery {
 void draw_caption(draw::Canvas& canvas, const std::string& text, const Point& left, double size,
                   io::Rgb ink, const draw::Typeface& typeface);
 
+/// The plan where it belongs among pictures of one frame, whose upper left corner is at `origin`.
+[[nodiscard]] draw::FloorPlan plan_in_frame(const draw::FloorPlan& plan, const Box& frame,
+                                            const Point& origin, double pixels_per_cell);
+
 /// Truth at the left, result at the right, on the same scale. Rooms that were found have the same
 /// colour on both sides; the others are white, hatched in red, with a word that says what is wrong.
 /// The borders of the truth run over the result as thin dark lines.
@@ -32,6 +36,17 @@ public:
     void draw(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
               const draw::Typeface& typeface) const;
 
+    /// One of the two alone.
+    void draw_truth(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+                    const draw::Typeface& typeface) const;
+    void draw_result(draw::Canvas& canvas, const Point& origin, double pixels_per_cell,
+                     const draw::Typeface& typeface) const;
+
+    /// Both show these cells, too: those of a picture beside them.
+    void widen(const Box& frame) { frame_.include(frame); }
+    /// The cells that both show.
+    [[nodiscard]] const Box& frame() const { return frame_; }
+
     /// Between the two, pixels.
     static constexpr double kGap = 24.0;
 
@@ -44,8 +59,6 @@ private:
     };
     [[nodiscard]] static Pane make_pane(const Side& side, const std::vector<io::Rgb>& colors,
                                         const std::vector<std::string>& words);
-    [[nodiscard]] draw::FloorPlan plan_at(const Pane& pane, const Point& origin,
-                                          double pixels_per_cell) const;
     void draw_errors(draw::Canvas& canvas, const Pane& pane, const draw::FloorPlan& plan,
                      const Point& origin, double pixels_per_cell,
                      const draw::Typeface& typeface) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "bench/gallery/index_page.hpp"
@@ -11,6 +12,9 @@ namespace quadcut::gallery {
 
 /// Maps with true rooms: `NAME.KIND.yaml` beside `NAME.rooms.png`.
 [[nodiscard]] Section show_true_maps(const std::filesystem::path& data,
+                                     const std::filesystem::path& output);
+/// Maps as robots scan them, each with what is wrong: those of one kind of bench/data_map.hpp.
+[[nodiscard]] Section show_real_maps(const std::string& kind, const std::string& title,
                                      const std::filesystem::path& output);
 /// Laser logs, mapped; intel.log and its dense form beside their truth.
 [[nodiscard]] Section show_logs(const std::filesystem::path& data,

@@ -10,6 +10,7 @@
 #include "bench/gallery/entry_picture.hpp"
 #include "bench/gallery/montage.hpp"
 #include "bench/gallery/shows.hpp"
+#include "eval/labels.hpp"
 #include "quadcut/base/option_field.hpp"
 #include "quadcut/map/integrate.hpp"
 #include "quadcut/map/occupancy_map.hpp"

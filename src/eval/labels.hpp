@@ -14,11 +14,16 @@
 // Labels of cells as scores want them.
 namespace quadcut {
 
-/// A raster as scores want it. Upside down, which changes no score when both sides are.
+/// A raster as scores want it: its lowest row last.
 template <typename Label>
 io::LabelImage as_label_image(const Raster<Label>& labels,
                               std::size_t ignored_cells = io::kIgnoredRegionPixels) {
-    const std::vector<std::uint32_t> values(labels.values.begin(), labels.values.end());
+    std::vector<std::uint32_t> values;
+    values.reserve(labels.values.size());
+    for (auto y = static_cast<std::ptrdiff_t>(labels.height); y-- > 0;) {
+        const auto row = labels.values.begin() + y * labels.width;
+        values.insert(values.end(), row, row + labels.width);
+    }
     return io::number_regions(labels.width, labels.height, values, ignored_cells);
 }
 

@@ -219,6 +219,23 @@ RoomScore score_rooms(const io::LabelImage& predicted, const io::LabelImage& tru
     return score;
 }
 
+io::LabelImage without_void(const io::LabelImage& predicted, const io::LabelImage& truth,
+                            const std::optional<io::FreeMask>& surely_free) {
+    check_sizes(predicted, truth, surely_free);
+    std::vector<std::size_t> num_cells(predicted.num_regions + std::size_t{1}, 0);
+    std::vector<std::size_t> num_void(num_cells.size(), 0);
+    for (std::size_t i = 0; i < predicted.values.size(); ++i) {
+        if (surely_free && surely_free->is_free[i] == 0) continue;
+        ++num_cells[predicted.values[i]];
+        if (truth.values[i] == 0) ++num_void[predicted.values[i]];
+    }
+    std::vector<std::uint32_t> kept = predicted.values;
+    for (std::uint32_t& region : kept) {
+        if (2 * num_void[region] > num_cells[region]) region = 0;
+    }
+    return io::number_regions(predicted.width, predicted.height, kept, 0);
+}
+
 std::vector<RoomMatch> match_rooms(const io::LabelImage& predicted, const io::LabelImage& truth) {
     check_sizes(predicted, truth, std::nullopt);
     std::vector<RoomMatch> matches;

@@ -46,6 +46,14 @@ struct RoomScore {
 [[nodiscard]] RoomScore score_rooms(const io::LabelImage& predicted, const io::LabelImage& truth,
                                     const std::optional<io::FreeMask>& free_mask = std::nullopt);
 
+/// The prediction less the regions that lie, by more than half of their free cells (of all their
+/// cells without a mask), where the truth has no room: what nobody can name (rays through glass,
+/// the ground outside) counts nowhere. The free cells are to be certain ones (io::kSurelyFreeGrey).
+/// Numbered anew. O(pixels). Errors of sizes as score_rooms.
+[[nodiscard]] io::LabelImage without_void(
+    const io::LabelImage& predicted, const io::LabelImage& truth,
+    const std::optional<io::FreeMask>& surely_free = std::nullopt);
+
 /// A predicted and a true room that belong together; numbers are those of the images.
 struct RoomMatch {
     std::uint32_t predicted = 0;

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kMaxByte = 255;
 constexpr int kMaxWord = 65535;
-constexpr std::uint32_t kUnknownGrey = 205;
 
 /// The first three channels in one number; grey as it is. Deep colours count by their high bytes.
 std::uint32_t region_value(const ImageHeader& header, std::span<const std::uint16_t> samples,
@@ -99,14 +98,14 @@ LabelImage read_label_image(const std::filesystem::path& path) {
     return image;
 }
 
-FreeMask read_free_mask(const std::filesystem::path& path) {
+FreeMask read_free_mask(const std::filesystem::path& path, std::uint32_t darkest_grey) {
     FreeMask mask;
     const InputFile file = read_image_input(path);
     const ParsedImage parsed = parse_image(
         file.bytes, file.name,
         [&](const ImageHeader& header, std::int32_t, std::span<const std::uint16_t> samples) {
             for (std::int32_t x = 0; x < header.width; ++x) {
-                mask.is_free.push_back(grey_level(header, samples, x) > kUnknownGrey ? 1 : 0);
+                mask.is_free.push_back(grey_level(header, samples, x) > darkest_grey ? 1 : 0);
             }
         });
     mask.width = parsed.header.width;

@@ -45,9 +45,15 @@ struct FreeMask {
     std::vector<std::string> warnings = {};  ///< with the name of the file
 };
 
-/// A cell is free where the image is brighter than 205 of 255, map_server's "unknown"; colours by
-/// their luma. Errors as read_image_input and parse_image.
-[[nodiscard]] FreeMask read_free_mask(const std::filesystem::path& path);
+/// map_server's "unknown": what is brighter is free, be it only likely.
+inline constexpr std::uint32_t kUnknownGrey = 205;
+/// What is brighter is free for certain, also where greys are probabilities.
+inline constexpr std::uint32_t kSurelyFreeGrey = 230;
+
+/// A cell is free where the image is brighter than `darkest_grey` of 255; colours by their luma.
+/// Errors as read_image_input and parse_image.
+[[nodiscard]] FreeMask read_free_mask(const std::filesystem::path& path,
+                                      std::uint32_t darkest_grey = kUnknownGrey);
 
 /// A label raster as a 16-bit grey PNG, turned upright: its lowest row is the last one of the
 /// image.

@@ -98,9 +98,25 @@ nlohmann::json numbers_of(const std::string& program, const std::vector<std::str
     return nlohmann::json::parse(outcome.out, nullptr, false);
 }
 
+/// What the program says of these files is what the script says.
+void expect_same_numbers(const std::vector<std::string>& files) {
+    std::vector<std::string> ours{"score"};
+    ours.insert(ours.end(), files.begin(), files.end());
+    std::vector<std::string> theirs{shared("eval/score_rooms.py").string()};
+    theirs.insert(theirs.end(), files.begin(), files.end());
+    const nlohmann::json a = numbers_of(QUADCUT_BINARY, ours);
+    const nlohmann::json b = numbers_of(QUADCUT_PYTHON, theirs);
+    ASSERT_EQ(a.size(), b.size());
+    for (const auto& [key, value] : b.items()) {
+        EXPECT_NEAR(a.at(key).get<double>(), value.get<double>(), 1e-9)
+            << key << " of " << files.at(files.size() - 2);
+    }
+}
+
 TEST(SlowScore, SameNumbersAsTheScript) {
-    const std::filesystem::path script = shared("eval/score_rooms.py");
-    if (!have_rooms() || !std::filesystem::exists(script)) GTEST_SKIP() << kNoRooms;
+    if (!have_rooms() || !std::filesystem::exists(shared("eval/score_rooms.py"))) {
+        GTEST_SKIP() << kNoRooms;
+    }
     const Folder folder;
     for (const std::string name : {"NLB.furnished", "lab_ipa.plain", "kth_50052748.plain"}) {
         const std::string base = name.substr(0, name.find('.'));
@@ -111,19 +127,25 @@ TEST(SlowScore, SameNumbersAsTheScript) {
         const std::string predicted = folder / (name + "/rooms.png");
         const std::vector<std::vector<std::string>> runs = {
             {predicted, truth, map}, {predicted, truth}, {truth, predicted}, {map, truth}};
-        for (const std::vector<std::string>& files : runs) {
-            std::vector<std::string> ours{"score"};
-            ours.insert(ours.end(), files.begin(), files.end());
-            std::vector<std::string> theirs{script.string()};
-            theirs.insert(theirs.end(), files.begin(), files.end());
-            const nlohmann::json a = numbers_of(QUADCUT_BINARY, ours);
-            const nlohmann::json b = numbers_of(QUADCUT_PYTHON, theirs);
-            ASSERT_EQ(a.size(), b.size());
-            for (const auto& [key, value] : b.items()) {
-                EXPECT_NEAR(a.at(key).get<double>(), value.get<double>(), 1e-9)
-                    << key << " of " << files[0];
-            }
-        }
+        for (const std::vector<std::string>& files : runs) expect_same_numbers(files);
+    }
+}
+
+TEST(SlowScore, SameNumbersAsTheScriptWithoutTheVoid) {
+    const std::filesystem::path real = shared("data/real");
+    if (!std::filesystem::exists(real) || !std::filesystem::exists(shared("eval/score_rooms.py"))) {
+        GTEST_SKIP() << kNoRooms;
+    }
+    const Folder folder;
+    for (const std::string name : {"intel_dense", "intel_slam_b", "fr101", "willow_full_stage"}) {
+        const std::string map = real / (name + ".png");
+        const std::string truth = real / (name + ".rooms.png");
+        ASSERT_EQ(run_quadcut({"segment", real / (name + ".yaml"), "-o", folder / name}).exit_code,
+                  0);
+        const std::string predicted = folder / (name + "/rooms.png");
+        expect_same_numbers({"--void", predicted, truth, map});
+        expect_same_numbers({"--void", predicted, truth});
+        expect_same_numbers({"--void", truth, predicted, map});
     }
 }
 

@@ -32,9 +32,13 @@ struct Pair {
     std::filesystem::path map = {};
 };
 
+/// Whether regions mostly in the void count.
+enum class Void { counts, left_out };
+
 /// The script's scores of all pairs, from one run of Python; nothing when it cannot run.
 std::optional<std::vector<nlohmann::json>> score_in_python(const test::ScratchFolder& folder,
-                                                           const std::vector<Pair>& pairs) {
+                                                           const std::vector<Pair>& pairs,
+                                                           Void void_rule) {
     std::string list;
     for (const Pair& pair : pairs) {
         list +=
@@ -45,14 +49,19 @@ std::optional<std::vector<nlohmann::json>> score_in_python(const test::ScratchFo
                  "import json, sys\n"
                  "sys.dont_write_bytecode = True\n"
                  "sys.path.insert(0, sys.argv[1])\n"
-                 "from score_rooms import free_cells, labels, score\n"
+                 "from score_rooms import free_cells, labels, score, very_free, without_void\n"
                  "for line in open(sys.argv[2]):\n"
                  "    predicted, truth, grid = line.rstrip('\\n').split('\\t')\n"
                  "    free = free_cells(grid) if grid else None\n"
-                 "    print(json.dumps(score(labels(predicted), labels(truth), free)))\n");
+                 "    predicted, truth = labels(predicted), labels(truth)\n"
+                 "    if sys.argv[3] == 'void':\n"
+                 "        seen = very_free(grid) if grid else None\n"
+                 "        predicted = without_void(predicted, truth, seen)\n"
+                 "    print(json.dumps(score(predicted, truth, free)))\n");
     const std::string command =
         std::string(QUADCUT_PYTHON) + " " + (folder.path() / "all.py").string() + " " +
-        (kShared / "eval").string() + " " + (folder.path() / "pairs.txt").string() + " > " +
+        (kShared / "eval").string() + " " + (folder.path() / "pairs.txt").string() +
+        (void_rule == Void::left_out ? " void" : " all") + " > " +
         (folder.path() / "scores.txt").string() + " 2> " + (folder.path() / "errors.txt").string();
     if (std::system(command.c_str()) != 0) return std::nullopt;
     std::vector<nlohmann::json> scores;
@@ -65,22 +74,33 @@ std::optional<std::vector<nlohmann::json>> score_in_python(const test::ScratchFo
     return scores;
 }
 
-void expect_same_scores(const std::vector<Pair>& pairs, const test::ScratchFolder& folder) {
+eval::RoomScore own_score(const Pair& pair, Void void_rule) {
+    const LabelImage truth = read_label_image(pair.truth);
+    LabelImage predicted = read_label_image(pair.predicted);
+    std::optional<FreeMask> mask;
+    std::optional<FreeMask> surely_free;
+    if (!pair.map.empty()) {
+        mask = read_free_mask(pair.map);
+        surely_free = read_free_mask(pair.map, kSurelyFreeGrey);
+    }
+    if (void_rule == Void::left_out) predicted = eval::without_void(predicted, truth, surely_free);
+    return eval::score_rooms(predicted, truth, mask);
+}
+
+void expect_same_scores(const std::vector<Pair>& pairs, const test::ScratchFolder& folder,
+                        Void void_rule = Void::counts) {
     if (!std::filesystem::exists(kShared / "eval" / "score_rooms.py")) {
         GTEST_SKIP() << "no score_rooms.py in " << kShared;
     }
-    const auto scores = score_in_python(folder, pairs);
+    const auto scores = score_in_python(folder, pairs, void_rule);
     if (!scores) {
         GTEST_SKIP() << QUADCUT_PYTHON
                      << " cannot run score_rooms.py: " << read_file(folder.path() / "errors.txt");
     }
     ASSERT_EQ(scores->size(), pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        std::optional<FreeMask> mask;
-        if (!pairs[i].map.empty()) mask = read_free_mask(pairs[i].map);
-        const eval::RoomScore score = eval::score_rooms(read_label_image(pairs[i].predicted),
-                                                        read_label_image(pairs[i].truth), mask);
-        const auto own = nlohmann::ordered_json::parse(eval::to_json(score));
+        const auto own =
+            nlohmann::ordered_json::parse(eval::to_json(own_score(pairs[i], void_rule)));
         ASSERT_EQ(own.size(), (*scores)[i].size());
         for (const auto& [key, value] : own.items()) {
             EXPECT_NEAR(value.get<double>(), (*scores)[i].at(key).get<double>(), 1e-9)
@@ -196,6 +216,15 @@ TEST(ScoreOracle, SlowAgreesOnEveryMap) {
         }
     }
     expect_same_scores(pairs, folder);
+}
+
+TEST(ScoreOracle, AgreesOnWhatIsLeftOutWithTheVoid) {
+    // Rooms moved, rooms that the truth does not have, and a grid over rooms and ground outside.
+    if (!std::filesystem::exists(kRooms)) GTEST_SKIP() << "no maps in " << kShared;
+    const test::ScratchFolder folder;
+    expect_same_scores(
+        pairs_of("lab_ipa", {Change::moved, Change::only_a_grid, Change::dropped}, folder), folder,
+        Void::left_out);
 }
 
 TEST(ScoreOracle, AgreesWhereAssignmentsTie) {

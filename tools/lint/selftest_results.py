@@ -65,6 +65,24 @@ class Tables(unittest.TestCase):
         (self.root / "docs/results.md").write_text(text.replace("30.0", "29.0"), encoding="utf-8")
         self.assertEqual(1, len(generated.check_tables(self.root, fix=False)))
 
+    def test_real_maps_by_their_sets(self):
+        def row(name: str, kind: str, pq: float, **more) -> dict:
+            return {"input": name, "kind": kind, "pq": pq, "rooms": 3, "true_rooms": 4, "ceiling": 0.9,
+                    "joined_ceiling": 0.8, "pq_joined_right": 0.75, "pq_cut_right": 0.65, **more}
+        doors = {"found": 4, "true": 5, "precision": 0.75, "recall": 0.6, "f1": 2 / 3,
+                 "f1_at_doorway": 0.8}
+        self.write("docs/results.md", "<!-- bench:real -->\n<!-- /bench:real -->\n",
+                   real=file_of([row("hall", "campus", 0.83, doors=doors), row("a", "real", 0.5),
+                                 row("b", "real", 0.7, segment_ms=60.4, ratio=8.0, cpu_ratio=9.5)]))
+        self.assertEqual([], generated.check_tables(self.root, fix=True))
+        text = self.page("docs/results.md")
+        self.assertIn("| a | 50.0 | 3 | 4 | 75.0 | 65.0 | 90.0 | 80.0 | – | – | – |\n"
+                      "| b | 70.0 | 3 | 4 | 75.0 | 65.0 | 90.0 | 80.0 | 60 | 8.0 | 9.5 |\n"
+                      "| **scanned, mean of 2** | **60.0** |  |  | **75.0** | **65.0** | **90.0** | **80.0** |  |  |  |\n"
+                      "| hall | 83.0 |", text)
+        self.assertIn("hall: 4 doors found of 5, precision 75.0, recall 60.0, F1 66.7; either end of a "
+                      "deep doorway allowed: F1 80.0.", text)
+
     def test_without_its_file_a_table_stays(self):
         text = "<!-- bench:follow -->\nold\n<!-- /bench:follow -->\n"
         self.write("docs/results.md", text)

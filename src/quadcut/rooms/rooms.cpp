@@ -107,6 +107,7 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
         join_pieces(regions, contracted, pieces);
         cut.report.eigen = std::move(pieces.eigen);
     }
+    if (floor.add_beyond) cut.joined_pieces = regions_of_pieces(regions);
     clock.begin("fuse");
     fuse_into_rooms(floor, options, executor, regions, cut, hierarchy);
     return cut;

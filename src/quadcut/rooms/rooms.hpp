@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/base/stage_clock.hpp"
@@ -36,6 +37,9 @@ struct RoomsCut {
     /// What they were fused from, 1 .. num_pieces; 0 = none. Of a window only.
     Raster<std::uint32_t> pieces;
     std::uint32_t num_pieces = 0;
+    /// By piece: the one that stands for all that the spectral cut joined with it. Of a window
+    /// only.
+    std::vector<std::uint32_t> joined_pieces;
     /// Among walls, and among all obstacles.
     Raster<float> clearance_m;
     Raster<float> free_clearance_m;

@@ -98,6 +98,34 @@ TEST(RoomScore, NamesBothSizesWhenTheyDiffer) {
     EXPECT_NE(mask_message.find("1 x 1"), std::string::npos) << mask_message;
 }
 
+TEST(WithoutVoid, DropsRegionsMostlyWhereTheTruthIsNothing) {
+    // Wholly; half, which is not more than half; two parts of three.
+    const io::LabelImage truth = drawn({"..pp..qrr"});
+    const io::LabelImage predicted = drawn({"vvhhhmmma"});
+    EXPECT_EQ(without_void(predicted, truth).values, drawn({"..hhhmmma"}).values);
+    EXPECT_EQ(without_void(drawn({"vvvvhhmmm"}), truth).values, drawn({"vvvv..mmm"}).values);
+    EXPECT_EQ(without_void(drawn({"vvv...aaa"}), truth).values, drawn({"......aaa"}).values);
+}
+
+TEST(WithoutVoid, LooksAtFreeCellsOnlyWhereItKnowsThem) {
+    // Two of three are void, but of the free cells none or all.
+    const io::LabelImage truth = drawn({"..pq"});
+    const io::LabelImage predicted = drawn({"aaab"});
+    io::FreeMask mask{80, 20, std::vector<std::uint8_t>(1600, 1)};
+    EXPECT_EQ(without_void(predicted, truth, mask).num_regions, 1U);
+    for (std::size_t i = 0; i < mask.is_free.size(); ++i) mask.is_free[i] = i % 80 < 40 ? 0 : 1;
+    EXPECT_EQ(without_void(predicted, truth, mask).num_regions, 2U);
+    std::fill(mask.is_free.begin(), mask.is_free.end(), std::uint8_t{0});
+    EXPECT_EQ(without_void(predicted, truth, mask).num_regions, 2U) << "nothing says it is void";
+}
+
+TEST(WithoutVoid, NamesBothSizesWhenTheyDiffer) {
+    const std::string message = io::test::error_of([] {
+        (void)without_void(drawn({"ab"}), drawn({"ab"}), io::FreeMask{1, 1, {1}});
+    });
+    EXPECT_NE(message.find("1 x 1"), std::string::npos) << message;
+}
+
 TEST(RoomScore, AsJsonHasTheKeysInOrder) {
     RoomScore score;
     score.pq = 0.1;

@@ -6,6 +6,7 @@
 
 #include "bench/gallery/index_page.hpp"
 #include "bench/gallery/pair_picture.hpp"
+#include "eval/labels.hpp"
 #include "tests/unit/io/floor_drawing.hpp"
 
 namespace quadcut::gallery {
