@@ -365,32 +365,57 @@ int run_eval(int argc, char** argv) {
     return 0;
 }
 
-int run_dump(const std::string& name, const std::string& out) {
-    for (const DataMap& d : all_maps()) {
-        if (d.name != name) continue;
+struct Ceiling { std::size_t basins, lines, pieces; double top, mid; double ms; };
+int run_ceiling(const std::string& only) {
+    std::vector<DataMap> maps;
+    for (DataMap& m : all_maps()) if (only.empty() || m.building == only || m.kind == only || m.name == only) maps.push_back(std::move(m));
+    const auto rows = run_cases<Ceiling>(maps.size(), [&](std::size_t at) {
+        const DataMap& d = maps[at];
         const auto kept = inside(d.map, {}, kMinComponentM2);
         const auto open = open_space(kept, d.map.resolution_m, RoomsOptions{}.max_furniture_m2);
+        const Raster<float> clearance = clearance_m(open, d.map.resolution_m);
         const Raster<float> free_clearance = clearance_m(kept, d.map.resolution_m);
         Basins basins = build_basins(free_clearance, d.map.resolution_m);
-        std::printf("basins %u\n", basins.count);
-        const auto t = std::chrono::steady_clock::now();
-        const WallLines lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
-        std::printf("lines %.1f ms, directions", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t).count());
-        for (double a : main_directions(kept, d.map.resolution_m)) std::printf(" %.0f", a * 57.2958);
-        basins.count = split_at_lines(lines, basins.labels);
+        Ceiling c{basins.count, 0, 0, 0, 0, 0};
+        WallLines lines;
+        if (std::getenv("NO_LINES") == nullptr) lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
+        if (!lines.more_dm.values.empty()) basins.count = split_at_lines(lines, basins.labels);
         spread_labels(open, basins.labels);
-        std::printf("\npieces %u\n", basins.count);
-        Raster<std::uint16_t> l(basins.labels.box());
-        for (std::size_t i = 0; i < l.values.size(); ++i) l.values[i] = static_cast<std::uint16_t>(basins.labels.values[i]);
-        std::ofstream(out + "_pieces.png", std::ios::binary) << io::encode_label_png(l);
-        for (std::size_t i = 0; i < l.values.size(); ++i) l.values[i] = static_cast<std::uint16_t>(lines.less_dm.values[i] * 256 + lines.more_dm.values[i]);
-        std::ofstream(out + "_lines.png", std::ios::binary) << io::encode_label_png(l);
+        c.lines = basins.count;
+        const Raster<std::uint32_t> truth = as_raster(d.truth);
+        const auto ceiling = [&](const Raster<std::uint32_t>& pieces, std::uint32_t n) {
+            std::vector<std::map<std::uint32_t, std::size_t>> share(n + 1);
+            for (std::size_t i = 0; i < truth.values.size(); ++i) if (truth.values[i] && pieces.values[i]) ++share[pieces.values[i]][truth.values[i]];
+            Raster<std::uint16_t> l(pieces.box());
+            std::vector<std::uint16_t> best(n + 1, 0);
+            for (std::uint32_t p = 1; p <= n; ++p) { std::size_t most = 0; for (auto& [r, k] : share[p]) if (k > most) { most = k; best[p] = static_cast<std::uint16_t>(r); } }
+            for (std::size_t i = 0; i < truth.values.size(); ++i) l.values[i] = best[pieces.values[i]];
+            return 100 * eval::score_rooms(as_label_image(l), as_label_image(truth)).pq;
+        };
+        c.top = ceiling(basins.labels, basins.count);
+        const auto t = std::chrono::steady_clock::now();
+        RegionGraph regions(basins.labels, basins.count, {clearance, free_clearance, d.map.states, lines, d.map.resolution_m});
+        const ContractedGraph contracted = contract(regions);
+        join_pieces(regions, contracted, cut_spectrally(contracted.graph, RoomsOptions{}.min_room_m2));
+        c.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t).count();
+        Raster<std::uint32_t> pieces = basins.labels;
+        for (auto& p : pieces.values) if (p) p = regions.region_of(p);
+        for (std::uint32_t p = 1; p <= basins.count; ++p) if (regions.is_region(p)) ++c.pieces;
+        c.mid = ceiling(pieces, basins.count);
+        return c;
+    });
+    std::map<std::string, std::array<double, 5>> sums;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (maps[i].kind == "real") std::printf("%-22s basins %5zu lines %5zu pieces %5zu  ceiling %.1f %.1f  %.0f ms\n", maps[i].name.c_str(), rows[i].basins, rows[i].lines, rows[i].pieces, rows[i].top, rows[i].mid, rows[i].ms);
+        auto& s = sums[maps[i].kind]; s[0] += rows[i].top; s[1] += rows[i].mid; s[2] += 1; s[3] += static_cast<double>(rows[i].pieces); s[4] += rows[i].ms;
     }
+    for (auto& [k, s] : sums) std::printf("%s %.1f %.1f (%.0f) %.0f ms | ", k.c_str(), s[0] / s[2], s[1] / s[2], s[3] / s[2], s[4] / s[2]);
+    std::printf("\n");
     return 0;
 }
 
 int run(int argc, char** argv) {
-    if (argc == 4 && std::string(argv[1]) == "dump") return run_dump(argv[2], argv[3]);
+    if (argc > 1 && std::string(argv[1]) == "ceiling") return run_ceiling(argc > 2 ? argv[2] : "");
     if (argc > 1 && std::string(argv[1]) == "eval") return run_eval(argc, argv);
     std::string csv;
     int num_buildings = 100, num_cluttered = 200;

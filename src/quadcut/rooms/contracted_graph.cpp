@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace quadcut {
@@ -19,7 +20,10 @@ double weight(const RegionGraph& regions, std::uint32_t a, std::uint32_t b, cons
     const double distance = std::max(1.0, std::hypot(p.x - q.x, p.y - q.y));
     const double openness =
         static_cast<double>(saddle.clearance_m) / std::max(regions.peak_m(a), regions.peak_m(b));
-    return static_cast<double>(saddle.num_contacts) / distance * openness * openness;
+    static const double kLine = std::getenv("LINEW") ? std::atof(std::getenv("LINEW")) : 0.9;
+    const double in_line = static_cast<double>(saddle.num_in_line) / std::max(1.0, static_cast<double>(saddle.num_contacts));
+    const double both = std::min(1.0, 0.1 * static_cast<double>(saddle.less_wall_dm) / std::max(1.0, static_cast<double>(saddle.num_in_line)) / 0.5);
+    return static_cast<double>(saddle.num_contacts) / distance * openness * openness * (1.0 - kLine * in_line * (0.5 + 0.5 * both));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "quadcut/rooms/spectral_pieces.hpp"
 
 #include <cstddef>
+#include <cstdlib>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -53,7 +54,8 @@ double area_m2(const Graph& graph) {
 Eigenpairs smooth_pairs(const Graph& graph, const Executor& executor) {
     try {
         // Eq. (4): L, normalised by area: so eigenvalues have a unit, and their limit is a size.
-        return eigenpairs_below(graph, LaplacianKind::area, kMaxEigenvaluePerM2, kMaxPairs, {},
+        static const double kEnv = std::getenv("EIGMAX") ? std::atof(std::getenv("EIGMAX")) : kMaxEigenvaluePerM2;
+        return eigenpairs_below(graph, LaplacianKind::area, kEnv, kMaxPairs, {},
                                 executor);
     } catch (const NumericalError&) {
         return {};
