@@ -123,11 +123,11 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
     const auto open = open_space(kept, map.resolution_m, furn ? std::atof(furn) : RoomsOptions{}.max_furniture_m2);
     const Raster<float> clearance = clearance_m(open, map.resolution_m);
     const Raster<float> free_clearance = clearance_m(kept, map.resolution_m);
-    const bool all = std::getenv("BASIN_WALLS") == nullptr;
+    const bool all = true;
     Basins basins = build_basins(all ? free_clearance : clearance, map.resolution_m);
     WallLines lines;
-    if (std::getenv("NO_LINES") == nullptr) lines = find_wall_lines(kept, map.resolution_m, 4.0);
-    if (!lines.more_dm.values.empty() && std::getenv("NO_SPLIT") == nullptr) basins.count = split_at_lines(lines, basins.labels);
+    lines = find_wall_lines(kept, map.resolution_m, 4.0);
+    if (!lines.more_dm.values.empty()) basins.count = split_at_lines(lines, basins.labels);
     spread_labels(open, basins.labels);
     RegionGraph regions(basins.labels, basins.count, {clearance, free_clearance, map.states, lines, map.resolution_m});
     RegionTruth rooms(basins.labels, basins.count, truth);
@@ -378,7 +378,7 @@ int run_ceiling(const std::string& only) {
         Basins basins = build_basins(free_clearance, d.map.resolution_m);
         Ceiling c{basins.count, 0, 0, 0, 0, 0};
         WallLines lines;
-        if (std::getenv("NO_LINES") == nullptr) lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
+        lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
         if (!lines.more_dm.values.empty()) basins.count = split_at_lines(lines, basins.labels);
         spread_labels(open, basins.labels);
         c.lines = basins.count;

@@ -4,11 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace quadcut {
 namespace {
+
+/// A wall's line takes so much of the weight of a border that lies in its gap.
+constexpr double kWallsKeepApart = 0.97;
+/// From this length on a wall at both ends of a gap counts in full, at one end half.
+constexpr double kFullWallDm = 5.0;
+
+/// How much of a border lies in the gaps of walls, 0..1.
+double share_of_walls(const Saddle& saddle) {
+    if (saddle.num_in_line == 0) return 0.0;
+    const auto num_in_line = static_cast<double>(saddle.num_in_line);
+    const double less_dm = static_cast<double>(saddle.less_wall_dm) / num_in_line;
+    const double in_line = num_in_line / static_cast<double>(saddle.num_contacts);
+    return in_line * (0.5 + 0.5 * std::min(1.0, less_dm / kFullWallDm));
+}
 
 // Departs from the paper: the sum of eq. (2) over the leaves at a border says how long it is, not
 // how open. Where it joins as many basins it puts up to five times as much floor into the wrong
@@ -20,10 +33,8 @@ double weight(const RegionGraph& regions, std::uint32_t a, std::uint32_t b, cons
     const double distance = std::max(1.0, std::hypot(p.x - q.x, p.y - q.y));
     const double openness =
         static_cast<double>(saddle.clearance_m) / std::max(regions.peak_m(a), regions.peak_m(b));
-    static const double kLine = std::getenv("LINEW") ? std::atof(std::getenv("LINEW")) : 0.9;
-    const double in_line = static_cast<double>(saddle.num_in_line) / std::max(1.0, static_cast<double>(saddle.num_contacts));
-    const double both = std::min(1.0, 0.1 * static_cast<double>(saddle.less_wall_dm) / std::max(1.0, static_cast<double>(saddle.num_in_line)) / 0.5);
-    return static_cast<double>(saddle.num_contacts) / distance * openness * openness * (1.0 - kLine * in_line * (0.5 + 0.5 * both));
+    return static_cast<double>(saddle.num_contacts) / distance * openness * openness *
+           (1.0 - kWallsKeepApart * share_of_walls(saddle));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ enum class PieceSource : std::uint8_t { basins, spectral };
 struct RoomsOptions {
     double granularity = 0.5;
     double door_width_m = 4.0;
-    double min_component_m2 = 4.0;
+    double min_component_m2 = 2.0;
     double max_furniture_m2 = 0.3;
     PieceSource pieces = PieceSource::spectral;
     double min_room_m2 = 1.5;

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/rooms/rooms.hpp"
 
-#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -78,14 +77,13 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     RoomsCut cut;
     clock.begin("clearance");
     cut.free_clearance_m = clearance_m(floor.kept, floor.resolution_m, executor);
-    if (std::getenv("NO_LINES") == nullptr) cut.lines = find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
+    cut.lines = find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
     Raster<std::uint8_t> open =
         open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     clock.begin("cut");
-    const bool all = std::getenv("BASIN_WALLS") == nullptr;
-    Basins basins = build_basins(all ? cut.free_clearance_m : cut.clearance_m, floor.resolution_m, executor);
-    if (!cut.lines.more_dm.values.empty() && std::getenv("NO_SPLIT") == nullptr) basins.count = split_at_lines(cut.lines, basins.labels, executor);
+    Basins basins = build_basins(cut.free_clearance_m, floor.resolution_m, executor);
+    basins.count = split_at_lines(cut.lines, basins.labels, executor);
     spread_labels(open, basins.labels);
     open = {};
     cut.rooms = std::move(basins.labels);

@@ -3,7 +3,6 @@
 #include "quadcut/rooms/spectral_pieces.hpp"
 
 #include <cstddef>
-#include <cstdlib>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -17,8 +16,8 @@
 namespace quadcut {
 namespace {
 
-/// A square of 3.5 m has its second eigenvalue here.
-constexpr double kMaxEigenvaluePerM2 = 0.8;
+/// A square of 3.1 m has its second eigenvalue here.
+constexpr double kMaxEigenvaluePerM2 = 1.0;
 /// Of one solve. Fewer make more solves, more make larger ones.
 constexpr std::size_t kMaxPairs = 8;
 
@@ -54,8 +53,7 @@ double area_m2(const Graph& graph) {
 Eigenpairs smooth_pairs(const Graph& graph, const Executor& executor) {
     try {
         // Eq. (4): L, normalised by area: so eigenvalues have a unit, and their limit is a size.
-        static const double kEnv = std::getenv("EIGMAX") ? std::atof(std::getenv("EIGMAX")) : kMaxEigenvaluePerM2;
-        return eigenpairs_below(graph, LaplacianKind::area, kEnv, kMaxPairs, {},
+        return eigenpairs_below(graph, LaplacianKind::area, kMaxEigenvaluePerM2, kMaxPairs, {},
                                 executor);
     } catch (const NumericalError&) {
         return {};
