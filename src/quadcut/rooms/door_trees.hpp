@@ -23,6 +23,6 @@ struct DoorTree {
 
 /// The door model: its log-odds are the bias and one leaf of each tree.
 extern const double kDoorBias;
-extern const std::array<DoorTree, 240> kDoorTrees;
+extern const std::array<DoorTree, 300> kDoorTrees;
 
 }  // namespace quadcut
