@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/glimpses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "quadcut/map/connected_parts.hpp"
+#include "quadcut/rooms/label_tally.hpp"
+
+namespace quadcut {
+namespace {
+
+/// Of the border, so much is open to the unknown: of a place that was looked into through an
+/// opening; of one that no robot gets into; and of a room that was not seen as a whole.
+constexpr double kOpenGlimpse = 0.75;
+constexpr double kOpenUnreached = 0.35;
+constexpr double kOpenPartly = 0.1;
+/// Of all borders: no obstacles were drawn.
+constexpr double kOpenMap = 0.9;
+/// What a robot fits through; shorter open borders are no fans.
+constexpr double kRobotM = 0.4;
+constexpr double kLeastFanBorderM = 2.0;
+/// So far a room reaches into corners and cracks that are too narrow for a robot.
+constexpr double kCornerM = 0.4;
+
+/// Counts the sides of cells at which a region ends.
+class BorderCount {
+public:
+    BorderCount(const Raster<std::uint32_t>& labels, const Raster<CellState>& states,
+                const Layout& layout)
+        : labels_(labels), states_(states), layout_(layout) {}
+
+    void add(RegionBorder& border, const LabelRun& run) const {
+        const Cell first = labels_.cell(run.offset);
+        const auto length = static_cast<std::int32_t>(run.num_cells);
+        const std::uint32_t own = labels_.values[run.offset];
+        border.num_cells += run.num_cells;
+        look(border, {first.x - 1, first.y});
+        look(border, {first.x + length, first.y});
+        for (const std::int32_t dy : {-1, 1}) {
+            const std::int32_t y = first.y + dy;
+            const bool is_inside = labels_.contains({first.x, y});
+            const std::size_t row = is_inside ? labels_.offset({first.x, y}) : 0;
+            for (std::int32_t k = 0; k < length; ++k) {
+                if (is_inside && labels_.values[row + static_cast<std::size_t>(k)] == own) continue;
+                look(border, {first.x + k, y});
+            }
+        }
+    }
+
+private:
+    /// At a cell beside the region.
+    void look(RegionBorder& border, Cell beside) const {
+        if (labels_.contains(beside) && labels_.at(beside) != 0) return;
+        const Cell there = layout_.source(beside);
+        const CellState state = states_.contains(there) ? states_.at(there) : CellState::unknown;
+        if (state == CellState::unknown) ++border.num_open;
+        if (state == CellState::occupied) ++border.num_closed;
+    }
+
+    const Raster<std::uint32_t>& labels_;
+    const Raster<CellState>& states_;
+    const Layout& layout_;
+};
+
+double open_share_of_all(const std::vector<RegionBorder>& borders) {
+    RegionBorder all;
+    for (const RegionBorder& border : borders) {
+        all.num_open += border.num_open;
+        all.num_closed += border.num_closed;
+    }
+    return all.open_share();
+}
+
+/// Of each room, the rooms that a robot gets to from it, by label.
+std::vector<std::set<std::size_t>> reached_through_doors(std::size_t num_rooms,
+                                                         std::span<const Door> doors) {
+    std::vector<std::set<std::size_t>> reached(num_rooms + 1);
+    for (const Door& door : doors) {
+        if (door.width_m < kRobotM) continue;
+        reached[index(door.a)].insert(index(door.b));
+        reached[index(door.b)].insert(index(door.a));
+    }
+    return reached;
+}
+
+std::vector<bool> entered_labels(const Raster<std::uint32_t>& labels, std::size_t num_labels,
+                                 std::span<const Cell> way) {
+    std::vector<bool> is_entered(num_labels, false);
+    for (const Cell cell : way) {
+        if (labels.contains(cell)) is_entered[labels.at(cell)] = true;
+    }
+    return is_entered;
+}
+
+std::vector<bool> regions_with_long_open_borders(const std::vector<RegionBorder>& borders,
+                                                 double resolution_m) {
+    std::vector<bool> result;
+    for (const RegionBorder& border : borders) {
+        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM);
+    }
+    return result;
+}
+
+/// The cells that a robot reaches, of regions that may have fans: the parts that are not a region's
+/// largest, and do not go on beyond the raster, are `apart`.
+struct Cores {
+    ConnectedParts parts;
+    std::vector<bool> is_apart;
+    /// Labels of the regions that have such parts.
+    std::vector<bool> has_fans;
+    bool is_any = false;
+};
+
+Cores find_cores(const Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
+                 const std::vector<bool>& may_have_fans, double min_width_m,
+                 const Executor& executor) {
+    const auto reach = static_cast<float>(min_width_m / 2.0);
+    Cores cores;
+    cores.parts = connected_parts(
+        labels,
+        [&](std::size_t i) {
+            const std::uint32_t label = labels.values[i];
+            return may_have_fans[label] && clearance_m.values[i] >= reach ? label : 0U;
+        },
+        Connectivity::four, executor);
+    const std::vector<std::size_t> num_cells = cores.parts.num_cells();
+    const std::vector<bool> goes_on = cores.parts.on_edge();
+    cores.is_apart.assign(num_cells.size(), false);
+    cores.has_fans.assign(may_have_fans.size(), false);
+    std::vector<std::uint32_t> label_of(num_cells.size(), 0);
+    std::vector<std::uint32_t> largest(may_have_fans.size(), 0);
+    cores.parts.for_each_run(
+        [&](const CellRun& run, std::size_t first) { label_of[run.part] = labels.values[first]; });
+    const auto rank = [&](std::uint32_t part) {
+        return std::pair(part != 0 && goes_on[part], part != 0 ? num_cells[part] : 0);
+    };
+    for (std::uint32_t part = 1; part < num_cells.size(); ++part) {
+        std::uint32_t& best = largest[label_of[part]];
+        if (rank(part) > rank(best)) best = part;
+    }
+    for (std::uint32_t part = 1; part < num_cells.size(); ++part) {
+        const std::uint32_t label = label_of[part];
+        if (part == largest[label] || goes_on[part]) continue;
+        cores.is_apart[part] = cores.has_fans[label] = cores.is_any = true;
+    }
+    return cores;
+}
+
+/// Adds what is beside `front` in the same region to it, cells of `kind` 0 only, a step at a time.
+void grow(const Raster<std::uint32_t>& labels, std::vector<std::size_t> front, std::uint8_t own,
+          std::size_t max_steps, Raster<std::uint8_t>& kind) {
+    for (std::size_t step = 0; step < max_steps && !front.empty(); ++step) {
+        std::vector<std::size_t> next_front;
+        for (const std::size_t cell : front) {
+            for (const std::size_t next : Neighbours(labels, cell, Connectivity::four)) {
+                if (labels.values[next] != labels.values[cell] || kind.values[next] != 0) continue;
+                kind.values[next] = own;
+                next_front.push_back(next);
+            }
+        }
+        front = std::move(next_front);
+    }
+}
+
+/// The parts of regions that hang on them by cracks, as cells.
+std::vector<std::vector<std::size_t>> find_hanging(const Raster<std::uint32_t>& labels,
+                                                   const Cores& cores, double resolution_m) {
+    constexpr std::uint8_t kMain = 1;
+    constexpr std::uint8_t kApart = 2;
+    Raster<std::uint8_t> kind(labels.box());
+    std::vector<std::size_t> main;
+    std::vector<std::size_t> apart;
+    cores.parts.for_each_run([&](const CellRun& run, std::size_t first) {
+        if (!cores.has_fans[labels.values[first]]) return;
+        const bool is_apart = cores.is_apart[run.part];
+        for (std::size_t i = first; i < first + (run.end - run.begin); ++i) {
+            kind.values[i] = is_apart ? kApart : kMain;
+            (is_apart ? apart : main).push_back(i);
+        }
+    });
+    grow(labels, std::move(main), kMain, static_cast<std::size_t>(kCornerM / resolution_m) + 1,
+         kind);
+    grow(labels, std::move(apart), kApart, labels.values.size(), kind);
+    const ConnectedParts hanging = connected_parts(
+        labels, [&](std::size_t i) { return kind.values[i] == kApart ? labels.values[i] : 0U; });
+    return hanging.cells_of(std::vector<bool>(hanging.count + std::size_t{1}, true));
+}
+
+}  // namespace
+
+double RegionBorder::open_share() const {
+    const auto all = static_cast<double>(num_open + num_closed);
+    return all == 0.0 ? 0.0 : static_cast<double>(num_open) / all;
+}
+
+std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
+                                          const Raster<CellState>& states, const Layout& layout,
+                                          const Executor& executor) {
+    const BorderCount count(labels, states, layout);
+    return tally_by_label<RegionBorder>(
+        labels, executor,
+        [&](RegionBorder& border, const LabelRun& run) { count.add(border, run); },
+        [](RegionBorder& border, const RegionBorder& other) {
+            border.num_cells += other.num_cells;
+            border.num_open += other.num_open;
+            border.num_closed += other.num_closed;
+        });
+}
+
+void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
+                    const Raster<CellState>& states, const Layout& layout, double resolution_m,
+                    double min_width_m, double min_area_m2, std::span<const Cell> way,
+                    const Executor& executor) {
+    const std::vector<RegionBorder> borders = measure_borders(labels, states, layout, executor);
+    if (open_share_of_all(borders) > kOpenMap) return;
+    std::vector<bool> may_have_fans = regions_with_long_open_borders(borders, resolution_m);
+    if (std::find(may_have_fans.begin(), may_have_fans.end(), true) == may_have_fans.end()) return;
+    const Cores cores = find_cores(labels, clearance_m, may_have_fans, min_width_m, executor);
+    if (!cores.is_any) return;
+    const std::vector<std::vector<std::size_t>> hanging = find_hanging(labels, cores, resolution_m);
+    auto next = static_cast<std::uint32_t>(borders.size());
+    std::vector<std::uint32_t> region_of(borders.size());
+    for (std::uint32_t label = 0; label < next; ++label) region_of[label] = label;
+    for (const std::vector<std::size_t>& cells : hanging) {
+        region_of.push_back(labels.values[cells.front()]);
+        for (const std::size_t cell : cells) labels.values[cell] = next;
+        ++next;
+    }
+    const std::vector<RegionBorder> anew = measure_borders(labels, states, layout, executor);
+    const std::vector<bool> is_entered = entered_labels(labels, next, way);
+    for (std::uint32_t label = static_cast<std::uint32_t>(borders.size()); label < next; ++label) {
+        const double area_m2 =
+            static_cast<double>(anew[label].num_cells) * resolution_m * resolution_m;
+        if (anew[label].open_share() >= kOpenGlimpse && area_m2 >= min_area_m2 &&
+            !is_entered[label]) {
+            region_of[label] = label;
+        }
+    }
+    renumber(labels, region_of, executor);
+}
+
+void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
+                const Raster<CellState>& states, const Layout& layout, std::span<const Door> doors,
+                std::span<const Cell> way, const Executor& executor) {
+    std::vector<RegionBorder> borders = measure_borders(labels, states, layout, executor);
+    if (rooms.empty() || open_share_of_all(borders) > kOpenMap) return;
+    borders.resize(rooms.size() + 1);
+    std::vector<bool> is_entered = entered_labels(labels, borders.size(), way);
+    const auto largest =
+        std::max_element(borders.begin(), borders.end(),
+                         [](const auto& p, const auto& q) { return p.num_cells < q.num_cells; });
+    is_entered[static_cast<std::size_t>(largest - borders.begin())] = true;
+    const std::vector<std::set<std::size_t>> reached = reached_through_doors(rooms.size(), doors);
+    const auto leads_on = [&](std::size_t label) {
+        return std::count_if(reached[label].begin(), reached[label].end(), [&](std::size_t other) {
+                   return borders[other].open_share() < kOpenGlimpse;
+               }) > 1;
+    };
+    for (std::size_t label = 1; label <= rooms.size(); ++label) {
+        Room& room = rooms[label - 1];
+        room.open_border = borders[label].open_share();
+        const bool is_glimpse =
+            !is_entered[label] && ((room.open_border >= kOpenGlimpse && !leads_on(label)) ||
+                                   (room.open_border >= kOpenUnreached && reached[label].empty()));
+        room.seen = is_glimpse                        ? Seen::glimpse
+                    : room.open_border >= kOpenPartly ? Seen::partly
+                                                      : Seen::whole;
+    }
+}
+
+}  // namespace quadcut
