@@ -15,14 +15,17 @@ namespace quadcut {
 namespace {
 
 /// Of the border, so much is open to the unknown: of a place that was looked into through an
-/// opening; of one that no robot gets into; and of a room that was not seen as a whole.
-constexpr double kOpenGlimpse = 0.75;
-constexpr double kOpenUnreached = 0.35;
+/// opening; of one that no robot gets into; of a part of a room that is none of its own; and of a
+/// room that was not seen as a whole.
+constexpr double kOpenGlimpse = 0.65;
+constexpr double kOpenUnreached = 0.15;
+constexpr double kOpenFan = 0.9;
 constexpr double kOpenPartly = 0.1;
 /// Of all borders: no obstacles were drawn.
 constexpr double kOpenMap = 0.9;
-/// What a robot fits through; shorter open borders are no fans.
-constexpr double kRobotM = 0.4;
+/// What a robot fits through, from the middle of one jamb's cell to that of the other; shorter open
+/// borders are no fans.
+constexpr double kRobotM = 0.45;
 constexpr double kLeastFanBorderM = 2.0;
 /// So far a room reaches into corners and cracks that are too narrow for a robot.
 constexpr double kCornerM = 0.4;
@@ -39,27 +42,47 @@ public:
         const auto length = static_cast<std::int32_t>(run.num_cells);
         const std::uint32_t own = labels_.values[run.offset];
         border.num_cells += run.num_cells;
-        look(border, {first.x - 1, first.y});
-        look(border, {first.x + length, first.y});
+        look(border, first, {first.x - 1, first.y});
+        look(border, {first.x + length - 1, first.y}, {first.x + length, first.y});
         for (const std::int32_t dy : {-1, 1}) {
             const std::int32_t y = first.y + dy;
             const bool is_inside = labels_.contains({first.x, y});
             const std::size_t row = is_inside ? labels_.offset({first.x, y}) : 0;
             for (std::int32_t k = 0; k < length; ++k) {
                 if (is_inside && labels_.values[row + static_cast<std::size_t>(k)] == own) continue;
-                look(border, {first.x + k, y});
+                look(border, {first.x + k, first.y}, {first.x + k, y});
             }
         }
     }
 
 private:
-    /// At a cell beside the region.
-    void look(RegionBorder& border, Cell beside) const {
+    /// From a cell of the region at one beside it. Obstacles in it are furniture, behind which more
+    /// than floor may be unknown.
+    void look(RegionBorder& border, Cell own, Cell beside) const {
         if (labels_.contains(beside) && labels_.at(beside) != 0) return;
-        const Cell there = layout_.source(beside);
-        const CellState state = states_.contains(there) ? states_.at(there) : CellState::unknown;
-        if (state == CellState::unknown) ++border.num_open;
-        if (state == CellState::occupied) ++border.num_closed;
+        const CellState there = state(beside);
+        if (there == CellState::free) return;
+        const bool is_closed = there == CellState::occupied || state(own) == CellState::occupied ||
+                               has_obstacle_near(beside);
+        ++(is_closed ? border.num_closed : border.num_open);
+    }
+
+    /// Walls have fringes that are neither seen as floor nor as a wall.
+    [[nodiscard]] bool has_obstacle_near(Cell laid_out) const {
+        constexpr std::int32_t kFringe = 2;
+        const Cell cell = layout_.source(laid_out);
+        const Box near = Box{cell, cell}.grown(kFringe).intersected(states_.box());
+        for (std::int32_t y = near.low.y; y <= near.high.y; ++y) {
+            for (std::int32_t x = near.low.x; x <= near.high.x; ++x) {
+                if (states_.at({x, y}) == CellState::occupied) return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] CellState state(Cell laid_out) const {
+        const Cell cell = layout_.source(laid_out);
+        return states_.contains(cell) ? states_.at(cell) : CellState::unknown;
     }
 
     const Raster<std::uint32_t>& labels_;
@@ -97,11 +120,13 @@ std::vector<bool> entered_labels(const Raster<std::uint32_t>& labels, std::size_
     return is_entered;
 }
 
-std::vector<bool> regions_with_long_open_borders(const std::vector<RegionBorder>& borders,
-                                                 double resolution_m) {
+std::vector<bool> regions_that_may_have_fans(const std::vector<RegionBorder>& borders,
+                                             double resolution_m) {
     std::vector<bool> result;
     for (const RegionBorder& border : borders) {
-        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM);
+        // What is a fan as a whole need not be cut.
+        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM &&
+                         border.open_share() < kOpenGlimpse);
     }
     return result;
 }
@@ -218,7 +243,7 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
                     const Executor& executor) {
     const std::vector<RegionBorder> borders = measure_borders(labels, states, layout, executor);
     if (open_share_of_all(borders) > kOpenMap) return;
-    std::vector<bool> may_have_fans = regions_with_long_open_borders(borders, resolution_m);
+    std::vector<bool> may_have_fans = regions_that_may_have_fans(borders, resolution_m);
     if (std::find(may_have_fans.begin(), may_have_fans.end(), true) == may_have_fans.end()) return;
     const Cores cores = find_cores(labels, clearance_m, may_have_fans, min_width_m, executor);
     if (!cores.is_any) return;
@@ -236,8 +261,7 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
     for (std::uint32_t label = static_cast<std::uint32_t>(borders.size()); label < next; ++label) {
         const double area_m2 =
             static_cast<double>(anew[label].num_cells) * resolution_m * resolution_m;
-        if (anew[label].open_share() >= kOpenGlimpse && area_m2 >= min_area_m2 &&
-            !is_entered[label]) {
+        if (anew[label].open_share() >= kOpenFan && area_m2 >= min_area_m2 && !is_entered[label]) {
             region_of[label] = label;
         }
     }
