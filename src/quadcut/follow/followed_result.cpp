@@ -36,7 +36,8 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
                                   std::move(clearance));
     std::vector<Cell> way;
     for (const Cell cell : followed.way) way.push_back({cell.x - box.low.x, cell.y - box.low.y});
-    judge_seen(result.rooms, known.labels, grid.states, layout, result.doors, way, executor);
+    judge_seen(result.rooms, known.labels, grid.states, layout, grid.resolution_m, result.doors,
+               way, executor);
     for (std::size_t i = 0; i < known.rooms.size(); ++i) {
         Room& room = result.rooms[i];
         room.id = RoomId{known.rooms[i]};

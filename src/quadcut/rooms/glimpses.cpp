@@ -17,7 +17,7 @@ namespace {
 /// Of the border, so much is open to the unknown: of a place that was looked into through an
 /// opening; of one that no robot gets into; of a part of a room that is none of its own; and of a
 /// room that was not seen as a whole.
-constexpr double kOpenGlimpse = 0.65;
+constexpr double kOpenGlimpse = 0.45;
 constexpr double kOpenUnreached = 0.15;
 constexpr double kOpenFan = 0.9;
 constexpr double kOpenPartly = 0.1;
@@ -27,6 +27,8 @@ constexpr double kOpenMap = 0.9;
 /// borders are no fans.
 constexpr double kRobotM = 0.45;
 constexpr double kLeastFanBorderM = 2.0;
+/// A thick wall.
+constexpr double kThickWallM = 0.5;
 /// So far a room reaches into corners and cracks that are too narrow for a robot.
 constexpr double kCornerM = 0.4;
 
@@ -34,8 +36,11 @@ constexpr double kCornerM = 0.4;
 class BorderCount {
 public:
     BorderCount(const Raster<std::uint32_t>& labels, const Raster<CellState>& states,
-                const Layout& layout)
-        : labels_(labels), states_(states), layout_(layout) {}
+                const Layout& layout, double resolution_m)
+        : labels_(labels),
+          states_(states),
+          layout_(layout),
+          wall_cells_(static_cast<std::int32_t>(std::lround(kThickWallM / resolution_m))) {}
 
     void add(RegionBorder& border, const LabelRun& run) const {
         const Cell first = labels_.cell(run.offset);
@@ -62,9 +67,12 @@ private:
         if (labels_.contains(beside) && labels_.at(beside) != 0) return;
         const CellState there = state(beside);
         if (there == CellState::free) return;
-        const bool is_closed = there == CellState::occupied || state(own) == CellState::occupied ||
-                               has_obstacle_near(beside);
-        ++(is_closed ? border.num_closed : border.num_open);
+        if (there == CellState::occupied || state(own) == CellState::occupied ||
+            has_obstacle_near(beside)) {
+            ++border.num_closed;
+        } else {
+            count_unknown(border, own, beside);
+        }
     }
 
     /// Walls have fringes that are neither seen as floor nor as a wall.
@@ -80,6 +88,26 @@ private:
         return false;
     }
 
+    /// In plans, what is unknown before an obstacle, or between two rooms, is a wall; so may be
+    /// what is between two rays that were seen through one window.
+    void count_unknown(RegionBorder& border, Cell own, Cell beside) const {
+        const Cell step{beside.x - own.x, beside.y - own.y};
+        for (std::int32_t k = 0; k < wall_cells_; ++k) {
+            beside = {beside.x + step.x, beside.y + step.y};
+            const std::uint32_t label = labels_.contains(beside) ? labels_.at(beside) : 0;
+            if (label == labels_.at(own)) break;
+            if (label != 0) {
+                ++border.num_between;
+                return;
+            }
+            if (state(beside) == CellState::occupied) {
+                ++border.num_closed;
+                return;
+            }
+        }
+        ++border.num_open;
+    }
+
     [[nodiscard]] CellState state(Cell laid_out) const {
         const Cell cell = layout_.source(laid_out);
         return states_.contains(cell) ? states_.at(cell) : CellState::unknown;
@@ -88,6 +116,7 @@ private:
     const Raster<std::uint32_t>& labels_;
     const Raster<CellState>& states_;
     const Layout& layout_;
+    std::int32_t wall_cells_;
 };
 
 double open_share_of_all(const std::vector<RegionBorder>& borders) {
@@ -95,8 +124,14 @@ double open_share_of_all(const std::vector<RegionBorder>& borders) {
     for (const RegionBorder& border : borders) {
         all.num_open += border.num_open;
         all.num_closed += border.num_closed;
+        all.num_between += border.num_between;
     }
     return all.open_share();
+}
+
+/// It ends in the unknown rather than at obstacles.
+bool is_mostly_open(const RegionBorder& border) {
+    return border.open_share() >= kOpenGlimpse && border.num_open >= 2 * border.num_closed;
 }
 
 /// Of each room, the rooms that a robot gets to from it, by label.
@@ -126,7 +161,7 @@ std::vector<bool> regions_that_may_have_fans(const std::vector<RegionBorder>& bo
     for (const RegionBorder& border : borders) {
         // What is a fan as a whole need not be cut.
         result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM &&
-                         border.open_share() < kOpenGlimpse);
+                         !is_mostly_open(border));
     }
     return result;
 }
@@ -219,14 +254,14 @@ std::vector<std::vector<std::size_t>> find_hanging(const Raster<std::uint32_t>& 
 }  // namespace
 
 double RegionBorder::open_share() const {
-    const auto all = static_cast<double>(num_open + num_closed);
+    const auto all = static_cast<double>(num_open + num_closed + num_between);
     return all == 0.0 ? 0.0 : static_cast<double>(num_open) / all;
 }
 
 std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
                                           const Raster<CellState>& states, const Layout& layout,
-                                          const Executor& executor) {
-    const BorderCount count(labels, states, layout);
+                                          double resolution_m, const Executor& executor) {
+    const BorderCount count(labels, states, layout, resolution_m);
     return tally_by_label<RegionBorder>(
         labels, executor,
         [&](RegionBorder& border, const LabelRun& run) { count.add(border, run); },
@@ -234,6 +269,7 @@ std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
             border.num_cells += other.num_cells;
             border.num_open += other.num_open;
             border.num_closed += other.num_closed;
+            border.num_between += other.num_between;
         });
 }
 
@@ -241,7 +277,8 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
                     const Raster<CellState>& states, const Layout& layout, double resolution_m,
                     double min_width_m, double min_area_m2, std::span<const Cell> way,
                     const Executor& executor) {
-    const std::vector<RegionBorder> borders = measure_borders(labels, states, layout, executor);
+    const std::vector<RegionBorder> borders =
+        measure_borders(labels, states, layout, resolution_m, executor);
     if (open_share_of_all(borders) > kOpenMap) return;
     std::vector<bool> may_have_fans = regions_that_may_have_fans(borders, resolution_m);
     if (std::find(may_have_fans.begin(), may_have_fans.end(), true) == may_have_fans.end()) return;
@@ -256,7 +293,8 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
         for (const std::size_t cell : cells) labels.values[cell] = next;
         ++next;
     }
-    const std::vector<RegionBorder> anew = measure_borders(labels, states, layout, executor);
+    const std::vector<RegionBorder> anew =
+        measure_borders(labels, states, layout, resolution_m, executor);
     const std::vector<bool> is_entered = entered_labels(labels, next, way);
     for (std::uint32_t label = static_cast<std::uint32_t>(borders.size()); label < next; ++label) {
         const double area_m2 =
@@ -269,9 +307,10 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
 }
 
 void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
-                const Raster<CellState>& states, const Layout& layout, std::span<const Door> doors,
-                std::span<const Cell> way, const Executor& executor) {
-    std::vector<RegionBorder> borders = measure_borders(labels, states, layout, executor);
+                const Raster<CellState>& states, const Layout& layout, double resolution_m,
+                std::span<const Door> doors, std::span<const Cell> way, const Executor& executor) {
+    std::vector<RegionBorder> borders =
+        measure_borders(labels, states, layout, resolution_m, executor);
     if (rooms.empty() || open_share_of_all(borders) > kOpenMap) return;
     borders.resize(rooms.size() + 1);
     std::vector<bool> is_entered = entered_labels(labels, borders.size(), way);
@@ -289,7 +328,7 @@ void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
         Room& room = rooms[label - 1];
         room.open_border = borders[label].open_share();
         const bool is_glimpse =
-            !is_entered[label] && ((room.open_border >= kOpenGlimpse && !leads_on(label)) ||
+            !is_entered[label] && ((is_mostly_open(borders[label]) && !leads_on(label)) ||
                                    (room.open_border >= kOpenUnreached && reached[label].empty()));
         room.seen = is_glimpse                        ? Seen::glimpse
                     : room.open_border >= kOpenPartly ? Seen::partly

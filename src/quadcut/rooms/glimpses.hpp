@@ -15,20 +15,23 @@
 
 namespace quadcut {
 
-/// Where a region ends, in sides of cells: at the unknown, and at obstacles.
+/// Where a region ends, in sides of cells: at the unknown, at obstacles, and at what is unknown
+/// between it and another region.
 struct RegionBorder {
     std::size_t num_cells = 0;
     std::size_t num_open = 0;
     std::size_t num_closed = 0;
+    std::size_t num_between = 0;
 
     [[nodiscard]] double open_share() const;
 };
 
-/// Of each label; what is beyond the map is unknown. `labels` are laid out, `states` are not.
-/// O(cells).
+/// Of each label; what is beyond the map is unknown. Obstacles are also what has one within two
+/// cells, and up to 0.5 m of the unknown before one; no more than that is between two regions.
+/// `labels` are laid out, `states` are not. O(cells).
 [[nodiscard]] std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
                                                         const Raster<CellState>& states,
-                                                        const Layout& layout,
+                                                        const Layout& layout, double resolution_m,
                                                         const Executor& executor = {});
 
 /// Where rays went through a crack, a region is a room and a fan beside it. What of a region hangs
@@ -47,7 +50,8 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
 /// robot was (`way` as above), the largest room, and anything in a map that shows
 /// next to no obstacles. O(cells).
 void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
-                const Raster<CellState>& states, const Layout& layout, std::span<const Door> doors,
-                std::span<const Cell> way, const Executor& executor = {});
+                const Raster<CellState>& states, const Layout& layout, double resolution_m,
+                std::span<const Door> doors, std::span<const Cell> way,
+                const Executor& executor = {});
 
 }  // namespace quadcut

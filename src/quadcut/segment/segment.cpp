@@ -42,7 +42,8 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
                               {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
     result.rooms =
         describe_rooms(labels, count, map, layout, result.doors, executor, std::move(clearance));
-    judge_seen(result.rooms, labels, map.states, layout, result.doors, way, executor);
+    judge_seen(result.rooms, labels, map.states, layout, map.resolution_m, result.doors, way,
+               executor);
     result.next_id = count + 1;
     result.labels =
         Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0, executor);
