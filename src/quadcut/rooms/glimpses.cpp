@@ -119,14 +119,14 @@ private:
     std::int32_t wall_cells_;
 };
 
-double open_share_of_all(const std::vector<RegionBorder>& borders) {
+/// Maps that show next to no obstacles do not tell what is open.
+bool has_obstacles(const std::vector<RegionBorder>& borders) {
     RegionBorder all;
     for (const RegionBorder& border : borders) {
         all.num_open += border.num_open;
         all.num_closed += border.num_closed;
-        all.num_between += border.num_between;
     }
-    return all.open_share();
+    return all.open_share() <= kOpenMap;
 }
 
 /// It ends in the unknown rather than at obstacles.
@@ -279,7 +279,7 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
                     const Executor& executor) {
     const std::vector<RegionBorder> borders =
         measure_borders(labels, states, layout, resolution_m, executor);
-    if (open_share_of_all(borders) > kOpenMap) return;
+    if (!has_obstacles(borders)) return;
     std::vector<bool> may_have_fans = regions_that_may_have_fans(borders, resolution_m);
     if (std::find(may_have_fans.begin(), may_have_fans.end(), true) == may_have_fans.end()) return;
     const Cores cores = find_cores(labels, clearance_m, may_have_fans, min_width_m, executor);
@@ -311,7 +311,7 @@ void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
                 std::span<const Door> doors, std::span<const Cell> way, const Executor& executor) {
     std::vector<RegionBorder> borders =
         measure_borders(labels, states, layout, resolution_m, executor);
-    if (rooms.empty() || open_share_of_all(borders) > kOpenMap) return;
+    if (rooms.empty() || !has_obstacles(borders)) return;
     borders.resize(rooms.size() + 1);
     std::vector<bool> is_entered = entered_labels(labels, borders.size(), way);
     const auto largest =
