@@ -12,7 +12,6 @@
 namespace quadcut {
 namespace {
 
-using test::as_drawing;
 using test::drawn_labels;
 using test::drawn_map;
 using Rows = std::vector<std::string>;
@@ -64,21 +63,23 @@ TEST(Glimpses, ThickWallsOfPlansAreClosedByTheObstacleBehindThem) {
     EXPECT_EQ(borders[1].num_open, 10U) << "both ends, and what is below the map";
 }
 
-/// A room of 2 x 1.2 m with walls, and what a crack in them lets see of the unknown.
-const Rows kRoomWithFan{"                               ", "      aaaaaaaaaaaaaaaaaaaaaaa  ",
-                        "      aaaaaaaaaaaaaaaaaaaaaaa  ", "      aaaaaaaaaaaaaaaaaaaaaaa  ",
-                        "       aaaaaaaaaaaaaaaaaaaaa   ", "        aaaaaaaaaaaaaaaaaaa    ",
-                        "         aaaaaaaaaaaaaaaaa     ", "          aaaaaaaaaaaaaaa      ",
-                        "           aaaaaaaaaaaaa       ", "            aaaaaaaaaaa        ",
-                        "             aaaaaaaaa         ", "              aaaaaaa          ",
-                        "               aaaaa           ", "                aaa            ",
-                        "                 a             ", "                 a             ",
-                        "#################a#############", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "###############################"};
+/// Rays upwards from a cell of a wall, a cell more to each side every second row, as high as there
+/// is room.
+void draw_fan(Rows& rows, std::size_t row, std::size_t column, char mark) {
+    for (std::size_t up = 0; up < row; ++up) {
+        for (std::size_t x = column - up / 2; x <= column + up / 2; ++x) rows[row - up][x] = mark;
+    }
+}
+
+/// A room with walls, 6 x 2 m, and what a crack in them lets see of the unknown.
+Rows room_with_fan() {
+    Rows rows(40, std::string(62, ' '));
+    rows.push_back(std::string(62, '#'));
+    for (int y = 0; y < 20; ++y) rows.push_back("#" + std::string(60, 'a') + "#");
+    rows.push_back(std::string(62, '#'));
+    draw_fan(rows, 40, 30, 'a');
+    return rows;
+}
 
 Raster<std::uint32_t> split(Rows rows, const std::vector<Cell>& way, double min_area_m2 = 1.0) {
     Raster<std::uint32_t> labels = drawn_labels(rows);
@@ -90,7 +91,7 @@ Raster<std::uint32_t> split(Rows rows, const std::vector<Cell>& way, double min_
     Raster<float> clearance(labels.box(), 0.3F);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         const std::int32_t y = labels.cell(i).y;
-        if (labels.values[i] == 0 || (y >= 9 && y <= 14)) clearance.values[i] = 0.1F;
+        if (labels.values[i] == 0 || (y >= 19 && y <= 26)) clearance.values[i] = 0.1F;
     }
     split_off_fans(labels, clearance, map.states, as_it_lies(labels.box()), kCellM, 0.4,
                    min_area_m2, way);
@@ -98,43 +99,40 @@ Raster<std::uint32_t> split(Rows rows, const std::vector<Cell>& way, double min_
 }
 
 TEST(Glimpses, AFanBehindACrackBecomesARegionOfItsOwn) {
-    const Raster<std::uint32_t> labels = split(kRoomWithFan, {});
-    const std::uint32_t room = labels.at({15, 5});
-    const std::uint32_t fan = labels.at({15, 23});
+    const Raster<std::uint32_t> labels = split(room_with_fan(), {});
+    const std::uint32_t room = labels.at({30, 5});
+    const std::uint32_t fan = labels.at({30, 55});
     EXPECT_EQ(room, 1U);
     EXPECT_EQ(fan, 2U);
-    EXPECT_EQ(labels.at({3, 9}), room) << "a corner";
-    EXPECT_EQ(as_drawing(labels)[1], "......bbbbbbbbbbbbbbbbbbbbbbb..");
+    EXPECT_EQ(labels.at({3, 20}), room) << "a corner";
 }
 
 TEST(Glimpses, AFanIsLeftWhereTheRobotWasOrWhereItIsSmall) {
-    EXPECT_EQ(split(kRoomWithFan, {{15, 23}}).at({15, 23}), 1U);
-    EXPECT_EQ(split(kRoomWithFan, {}, 10.0).at({15, 23}), 1U);
+    EXPECT_EQ(split(room_with_fan(), {{30, 55}}).at({30, 55}), 1U);
+    EXPECT_EQ(split(room_with_fan(), {}, 20.0).at({30, 55}), 1U);
 }
 
 TEST(Glimpses, APartWithWallsOfItsOwnIsNoFan) {
-    Rows rows = kRoomWithFan;
-    for (std::size_t y = 0; y < 14; ++y) {
+    Rows rows = room_with_fan();
+    for (std::size_t y = 0; y < 38; ++y) {
         for (std::size_t x = 0; x < rows[y].size(); ++x) {
             const bool is_beside = rows[y][x] == ' ' && x > 0 && x + 1 < rows[y].size() &&
                                    (rows[y][x - 1] == 'a' || rows[y][x + 1] == 'a');
             if (is_beside) rows[y][x] = '#';
         }
     }
-    EXPECT_EQ(split(rows, {}).at({15, 23}), 1U);
+    EXPECT_EQ(split(rows, {}).at({30, 55}), 1U);
 }
 
 /// A walled room 'a', and 'b' and 'c' that are open to the unknown.
 struct Floor {
     Floor() {
-        const Rows rows{"#################################", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa#",
-                        "#aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa#", "########b###############c########",
-                        "        b               c        ", "       bb               cc       ",
-                        "      bbb               ccc      ", "     bbbb               cccc     ",
-                        "    bbbbb               ccccc    ", "   bbbbbb               cccccc   ",
-                        "  bbbbbbb               ccccccc  ", "                                 ",
-                        "                                 "};
+        Rows rows(24, std::string(62, ' '));
+        rows.push_back(std::string(62, '#'));
+        for (int y = 0; y < 10; ++y) rows.push_back("#" + std::string(60, 'a') + "#");
+        rows.push_back(std::string(62, '#'));
+        draw_fan(rows, 24, 15, 'b');
+        draw_fan(rows, 24, 45, 'c');
         labels = drawn_labels(rows);
         Rows free = rows;
         for (std::string& row : free) {
@@ -179,7 +177,7 @@ TEST(Glimpses, WhatEndsInTheUnknownAndLeadsNowhereIsOne) {
 
 TEST(Glimpses, NoneIsWhereTheRobotWas) {
     Floor floor;
-    EXPECT_EQ(floor.judged({{6, 4}}), (Judged{Seen::whole, Seen::partly, Seen::glimpse}));
+    EXPECT_EQ(floor.judged({{15, 30}}), (Judged{Seen::whole, Seen::partly, Seen::glimpse}));
 }
 
 TEST(Glimpses, NoneIsInAMapThatShowsNoObstacles) {
