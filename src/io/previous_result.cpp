@@ -119,6 +119,9 @@ RoomsLegend parse_rooms_yaml(std::string_view bytes, const std::string& name) {
         room.name = room_keys.text("name");
         room.kind = kind_of(room_keys);
         room.seen = seen_in(room_keys);
+        if (room_keys.find("open_border") != nullptr) {
+            room.open_border = room_keys.number("open_border");
+        }
         room.centroid = point_of(room_keys, "centroid");
         room.label_point = point_of(room_keys, "label_point");
         if (const std::optional<Rgb> color = color_of(room_keys)) legend.colors[room.id] = *color;
