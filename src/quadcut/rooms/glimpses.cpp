@@ -17,7 +17,7 @@ namespace {
 /// Of the border, so much is open to the unknown: of a place that was looked into through an
 /// opening; of one that no robot gets into; of a part of a room that is none of its own; and of a
 /// room that was not seen as a whole.
-constexpr double kOpenGlimpse = 0.45;
+constexpr double kOpenGlimpse = 0.65;
 constexpr double kOpenUnreached = 0.15;
 constexpr double kOpenFan = 0.9;
 constexpr double kOpenPartly = 0.1;
@@ -29,6 +29,9 @@ constexpr double kRobotM = 0.45;
 constexpr double kLeastFanBorderM = 2.0;
 /// A thick wall.
 constexpr double kThickWallM = 0.5;
+/// Maps in which so much more lies between two regions than is open are drawn: what is unknown
+/// there are walls, otherwise gaps between rays.
+constexpr double kBetweenInPlans = 0.5;
 /// So far a room reaches into corners and cracks that are too narrow for a robot.
 constexpr double kCornerM = 0.4;
 
@@ -122,16 +125,8 @@ private:
 /// Maps that show next to no obstacles do not tell what is open.
 bool has_obstacles(const std::vector<RegionBorder>& borders) {
     RegionBorder all;
-    for (const RegionBorder& border : borders) {
-        all.num_open += border.num_open;
-        all.num_closed += border.num_closed;
-    }
+    for (const RegionBorder& border : borders) all += border;
     return all.open_share() <= kOpenMap;
-}
-
-/// It ends in the unknown rather than at obstacles.
-bool is_mostly_open(const RegionBorder& border) {
-    return border.open_share() >= kOpenGlimpse && border.num_open >= 2 * border.num_closed;
 }
 
 /// Of each room, the rooms that a robot gets to from it, by label.
@@ -161,7 +156,7 @@ std::vector<bool> regions_that_may_have_fans(const std::vector<RegionBorder>& bo
     for (const RegionBorder& border : borders) {
         // What is a fan as a whole need not be cut.
         result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM &&
-                         !is_mostly_open(border));
+                         border.open_share() < kOpenGlimpse);
     }
     return result;
 }
@@ -253,8 +248,16 @@ std::vector<std::vector<std::size_t>> find_hanging(const Raster<std::uint32_t>& 
 
 }  // namespace
 
+RegionBorder& RegionBorder::operator+=(const RegionBorder& other) {
+    num_cells += other.num_cells;
+    num_open += other.num_open;
+    num_closed += other.num_closed;
+    num_between += other.num_between;
+    return *this;
+}
+
 double RegionBorder::open_share() const {
-    const auto all = static_cast<double>(num_open + num_closed + num_between);
+    const auto all = static_cast<double>(num_open + num_closed);
     return all == 0.0 ? 0.0 : static_cast<double>(num_open) / all;
 }
 
@@ -262,15 +265,18 @@ std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
                                           const Raster<CellState>& states, const Layout& layout,
                                           double resolution_m, const Executor& executor) {
     const BorderCount count(labels, states, layout, resolution_m);
-    return tally_by_label<RegionBorder>(
+    std::vector<RegionBorder> borders = tally_by_label<RegionBorder>(
         labels, executor,
         [&](RegionBorder& border, const LabelRun& run) { count.add(border, run); },
-        [](RegionBorder& border, const RegionBorder& other) {
-            border.num_cells += other.num_cells;
-            border.num_open += other.num_open;
-            border.num_closed += other.num_closed;
-            border.num_between += other.num_between;
-        });
+        [](RegionBorder& border, const RegionBorder& other) { border += other; });
+    RegionBorder all;
+    for (const RegionBorder& border : borders) all += border;
+    const bool is_plan =
+        static_cast<double>(all.num_between) > kBetweenInPlans * static_cast<double>(all.num_open);
+    for (RegionBorder& border : borders) {
+        (is_plan ? border.num_closed : border.num_open) += std::exchange(border.num_between, 0);
+    }
+    return borders;
 }
 
 void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
@@ -328,7 +334,7 @@ void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
         Room& room = rooms[label - 1];
         room.open_border = borders[label].open_share();
         const bool is_glimpse =
-            !is_entered[label] && ((is_mostly_open(borders[label]) && !leads_on(label)) ||
+            !is_entered[label] && ((room.open_border >= kOpenGlimpse && !leads_on(label)) ||
                                    (room.open_border >= kOpenUnreached && reached[label].empty()));
         room.seen = is_glimpse                        ? Seen::glimpse
                     : room.open_border >= kOpenPartly ? Seen::partly

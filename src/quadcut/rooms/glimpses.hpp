@@ -15,20 +15,22 @@
 
 namespace quadcut {
 
-/// Where a region ends, in sides of cells: at the unknown, at obstacles, and at what is unknown
-/// between it and another region.
+/// Where a region ends, in sides of cells: at the unknown, and at obstacles.
 struct RegionBorder {
     std::size_t num_cells = 0;
     std::size_t num_open = 0;
     std::size_t num_closed = 0;
+    /// At what is unknown between it and another region; 0 when that was decided.
     std::size_t num_between = 0;
 
+    RegionBorder& operator+=(const RegionBorder& other);
     [[nodiscard]] double open_share() const;
 };
 
 /// Of each label; what is beyond the map is unknown. Obstacles are also what has one within two
-/// cells, and up to 0.5 m of the unknown before one; no more than that is between two regions.
-/// `labels` are laid out, `states` are not. O(cells).
+/// cells, and up to 0.5 m of the unknown before one. Where no more than that lies between two
+/// regions, it is a wall if there is much of that in the map, as in plans with grey walls, or else
+/// unknown. `labels` are laid out, `states` are not. O(cells).
 [[nodiscard]] std::vector<RegionBorder> measure_borders(const Raster<std::uint32_t>& labels,
                                                         const Raster<CellState>& states,
                                                         const Layout& layout, double resolution_m,

@@ -42,14 +42,20 @@ TEST(Glimpses, ABorderIsOpenWhereTheUnknownIsDeep) {
     EXPECT_NEAR(borders[1].open_share(), 8.0 / 24.0, 1e-12);
 }
 
-TEST(Glimpses, WhatIsUnknownBetweenTwoRoomsIsNeitherOpenNorClosed) {
-    const std::vector<RegionBorder> borders = borders_of({"          ",  //
-                                                          "aaa   bbb ",  //
-                                                          "aaa   bbb ",  //
-                                                          "          "});
-    EXPECT_EQ(borders[1].num_between, 2U);
-    EXPECT_EQ(borders[1].num_closed, 0U);
-    EXPECT_EQ(borders[1].num_open, 8U);
+TEST(Glimpses, WhatIsUnknownBetweenRegionsIsAGapBetweenRaysOrAWallInPlans) {
+    const std::vector<RegionBorder> rays = borders_of({"          ",  //
+                                                       "aaa   bbb ",  //
+                                                       "aaa   bbb ",  //
+                                                       "          "});
+    EXPECT_EQ(rays[1].num_open, 10U);
+    EXPECT_EQ(rays[1].num_closed, 0U);
+    const std::vector<RegionBorder> plan = borders_of({"####################",  //
+                                                       "#aaaaaa bbb   cccc #",  //
+                                                       "#aaaaaa bbb   cccc #",  //
+                                                       "####################"});
+    EXPECT_EQ(plan[2].num_open, 0U);
+    EXPECT_EQ(plan[2].num_closed, 10U);
+    EXPECT_EQ(plan[2].num_between, 0U);
 }
 
 TEST(Glimpses, ThickWallsOfPlansAreClosedByTheObstacleBehindThem) {
