@@ -15,10 +15,11 @@ namespace quadcut {
 namespace {
 
 /// Of the border, so much is open to the unknown: of a place that was looked into through an
-/// opening; of one that no robot gets into; of a part of a room that is none of its own; and of a
-/// room that was not seen as a whole.
+/// opening; of one that no robot gets into; of others that do not count where one leads; of a part
+/// of a room that is none of its own; and of a room that was not seen as a whole.
 constexpr double kOpenGlimpse = 0.65;
 constexpr double kOpenUnreached = 0.15;
+constexpr double kOpenLed = 0.5;
 constexpr double kOpenFan = 0.9;
 constexpr double kOpenPartly = 0.1;
 /// Of all borders: no obstacles were drawn.
@@ -327,7 +328,7 @@ void judge_seen(std::vector<Room>& rooms, const Raster<std::uint32_t>& labels,
     const std::vector<std::set<std::size_t>> reached = reached_through_doors(rooms.size(), doors);
     const auto leads_on = [&](std::size_t label) {
         return std::count_if(reached[label].begin(), reached[label].end(), [&](std::size_t other) {
-                   return borders[other].open_share() < kOpenGlimpse;
+                   return borders[other].open_share() < kOpenLed;
                }) > 1;
     };
     for (std::size_t label = 1; label <= rooms.size(); ++label) {
