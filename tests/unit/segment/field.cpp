@@ -124,6 +124,25 @@ TEST(Field, GroundAroundABuildingIsARoomWhereTheRobotWas) {
     EXPECT_NE(room_at(rooms, floor.map, {1.0, 1.0}), 0U);
 }
 
+TEST(Field, GroundThatACrackLeadsToIsOutside) {
+    PaintedFloor floor = plan();
+    floor.paint({6.0, 3.8}, {6.8, 4.05}, CellState::occupied);
+    const Segmentation rooms = segment(floor.map);
+    EXPECT_EQ(rooms.rooms.size(), 4U);
+    EXPECT_EQ(room_at(rooms, floor.map, {1.0, 1.0}), 0U);
+}
+
+TEST(Field, RoomsWhoseOuterWallsTheImageCutsOffAreNotOutside) {
+    PaintedFloor floor(12.0, 12.0, CellState::free);
+    floor.paint({5.95, 0.0}, {6.05, 12.0}, CellState::occupied);
+    floor.paint({0.0, 5.95}, {12.0, 6.05}, CellState::occupied);
+    for (const double at : {2.5, 8.5}) {
+        floor.door({5.9, at}, {6.1, at + 0.9});
+        floor.door({at, 5.9}, {at + 0.9, 6.1});
+    }
+    EXPECT_EQ(segment(floor.map).rooms.size(), 4U);
+}
+
 TEST(Field, AMeetingRoomWithATableIsNoCorridor) {
     PaintedFloor floor(16.0, 10.0, CellState::unknown);
     floor.room({1.0, 1.0}, {14.0, 3.0});
