@@ -155,9 +155,7 @@ std::vector<bool> regions_that_may_have_fans(const std::vector<RegionBorder>& bo
                                              double resolution_m) {
     std::vector<bool> result;
     for (const RegionBorder& border : borders) {
-        // What is a fan as a whole need not be cut.
-        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM &&
-                         border.open_share() < kOpenGlimpse);
+        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM);
     }
     return result;
 }
@@ -303,12 +301,15 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
     const std::vector<RegionBorder> anew =
         measure_borders(labels, states, layout, resolution_m, executor);
     const std::vector<bool> is_entered = entered_labels(labels, next, way);
+    const auto is_fan = [&](std::uint32_t label) {
+        return anew[label].open_share() >= kOpenFan && !is_entered[label];
+    };
     for (std::uint32_t label = static_cast<std::uint32_t>(borders.size()); label < next; ++label) {
         const double area_m2 =
             static_cast<double>(anew[label].num_cells) * resolution_m * resolution_m;
-        if (anew[label].open_share() >= kOpenFan && area_m2 >= min_area_m2 && !is_entered[label]) {
-            region_of[label] = label;
-        }
+        // A fan may also be the larger part, and a room hang on it.
+        const bool is_cut = is_fan(label) != is_fan(region_of[label]) && area_m2 >= min_area_m2;
+        if (is_cut) region_of[label] = label;
     }
     renumber(labels, region_of, executor);
 }

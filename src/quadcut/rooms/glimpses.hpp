@@ -36,11 +36,11 @@ struct RegionBorder {
                                                         const Layout& layout, double resolution_m,
                                                         const Executor& executor = {});
 
-/// Where rays went through a crack, a region is a room and a fan beside it. What of a region hangs
-/// on the rest of it only by what is narrower than `min_width_m`, ends mostly in the unknown and
-/// has `min_area_m2` becomes a region of its own, unless the robot was there (`way`, laid out as
-/// the labels are). The rest is the part that goes on beyond the raster, or else the largest.
-/// O(cells), less where regions hardly end in the unknown.
+/// Where rays went through a crack, a region is a room and a fan beside it. What hangs on the
+/// largest part of a region, or the one that goes on beyond the raster, only by what is narrower
+/// than `min_width_m` and has `min_area_m2` becomes a region of its own if just one of the two is a
+/// fan: ends nearly everywhere in the unknown, and the robot was not there (`way`, laid out as the
+/// labels are). O(cells), less where regions hardly end in the unknown.
 void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearance_m,
                     const Raster<CellState>& states, const Layout& layout, double resolution_m,
                     double min_width_m, double min_area_m2, std::span<const Cell> way,

@@ -77,11 +77,12 @@ void draw_fan(Rows& rows, std::size_t row, std::size_t column, char mark) {
     }
 }
 
-/// A room with walls, 6 x 2 m, and what a crack in them lets see of the unknown.
-Rows room_with_fan() {
+/// A room with walls, 6 m wide and `depth` cells deep, and what a crack in them lets see of the
+/// unknown.
+Rows room_with_fan(int depth = 20) {
     Rows rows(40, std::string(62, ' '));
     rows.push_back(std::string(62, '#'));
-    for (int y = 0; y < 20; ++y) rows.push_back("#" + std::string(60, 'a') + "#");
+    for (int y = 0; y < depth; ++y) rows.push_back("#" + std::string(60, 'a') + "#");
     rows.push_back(std::string(62, '#'));
     draw_fan(rows, 40, 30, 'a');
     return rows;
@@ -94,10 +95,12 @@ Raster<std::uint32_t> split(Rows rows, const std::vector<Cell>& way, double min_
     }
     const GridMap map = drawn_map(rows, kCellM);
     // The crack is too narrow for a robot, all else is wide.
+    const auto num_floor_rows = static_cast<std::int32_t>(rows.size()) - 43;
     Raster<float> clearance(labels.box(), 0.3F);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         const std::int32_t y = labels.cell(i).y;
-        if (labels.values[i] == 0 || (y >= 19 && y <= 26)) clearance.values[i] = 0.1F;
+        if (labels.values[i] == 0 || (y > num_floor_rows && y <= num_floor_rows + 8))
+            clearance.values[i] = 0.1F;
     }
     split_off_fans(labels, clearance, map.states, as_it_lies(labels.box()), kCellM, 0.4,
                    min_area_m2, way);
@@ -111,6 +114,11 @@ TEST(Glimpses, AFanBehindACrackBecomesARegionOfItsOwn) {
     EXPECT_EQ(room, 1U);
     EXPECT_EQ(fan, 2U);
     EXPECT_EQ(labels.at({3, 20}), room) << "a corner";
+}
+
+TEST(Glimpses, ARoomMayBeSmallerThanItsFan) {
+    const Raster<std::uint32_t> labels = split(room_with_fan(8), {});
+    EXPECT_NE(labels.at({30, 5}), labels.at({30, 45}));
 }
 
 TEST(Glimpses, AFanIsLeftWhereTheRobotWasOrWhereItIsSmall) {
