@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstring>
+#include <numbers>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -24,10 +26,8 @@ constexpr double kOpenFan = 0.9;
 constexpr double kOpenPartly = 0.1;
 /// Of all borders: no obstacles were drawn.
 constexpr double kOpenMap = 0.9;
-/// What a robot fits through, from the middle of one jamb's cell to that of the other; shorter open
-/// borders are no fans.
+/// What a robot fits through, from the middle of one jamb's cell to that of the other.
 constexpr double kRobotM = 0.45;
-constexpr double kLeastFanBorderM = 2.0;
 /// A thick wall.
 constexpr double kThickWallM = 0.5;
 /// Maps in which so much more lies between two regions than is open are drawn: what is unknown
@@ -47,6 +47,7 @@ public:
           wall_cells_(static_cast<std::int32_t>(std::lround(kThickWallM / resolution_m))) {}
 
     void add(RegionBorder& border, const LabelRun& run) const {
+        constexpr std::int32_t kBlock = 16;
         const Cell first = labels_.cell(run.offset);
         const auto length = static_cast<std::int32_t>(run.num_cells);
         const std::uint32_t own = labels_.values[run.offset];
@@ -57,9 +58,19 @@ public:
             const std::int32_t y = first.y + dy;
             const bool is_inside = labels_.contains({first.x, y});
             const std::size_t row = is_inside ? labels_.offset({first.x, y}) : 0;
-            for (std::int32_t k = 0; k < length; ++k) {
-                if (is_inside && labels_.values[row + static_cast<std::size_t>(k)] == own) continue;
-                look(border, {first.x + k, first.y}, {first.x + k, y});
+            for (std::int32_t k = 0; k < length;) {
+                const auto at = static_cast<std::size_t>(k);
+                // Inside of a region, many at once.
+                if (is_inside && k + kBlock <= length &&
+                    std::memcmp(&labels_.values[row + at], &labels_.values[run.offset + at],
+                                kBlock * sizeof(std::uint32_t)) == 0) {
+                    k += kBlock;
+                    continue;
+                }
+                if (!is_inside || labels_.values[row + at] != own) {
+                    look(border, {first.x + k, first.y}, {first.x + k, y});
+                }
+                ++k;
             }
         }
     }
@@ -151,11 +162,13 @@ std::vector<bool> entered_labels(const Raster<std::uint32_t>& labels, std::size_
     return is_entered;
 }
 
+/// Nothing of that area has a shorter border than a disc.
 std::vector<bool> regions_that_may_have_fans(const std::vector<RegionBorder>& borders,
-                                             double resolution_m) {
+                                             double min_area_m2, double resolution_m) {
+    const double least_m = kOpenFan * std::sqrt(4.0 * std::numbers::pi * min_area_m2);
     std::vector<bool> result;
     for (const RegionBorder& border : borders) {
-        result.push_back(static_cast<double>(border.num_open) * resolution_m >= kLeastFanBorderM);
+        result.push_back(static_cast<double>(border.num_open) * resolution_m >= least_m);
     }
     return result;
 }
@@ -285,31 +298,31 @@ void split_off_fans(Raster<std::uint32_t>& labels, const Raster<float>& clearanc
     const std::vector<RegionBorder> borders =
         measure_borders(labels, states, layout, resolution_m, executor);
     if (!has_obstacles(borders)) return;
-    std::vector<bool> may_have_fans = regions_that_may_have_fans(borders, resolution_m);
+    const std::vector<bool> may_have_fans =
+        regions_that_may_have_fans(borders, min_area_m2, resolution_m);
     if (std::find(may_have_fans.begin(), may_have_fans.end(), true) == may_have_fans.end()) return;
     const Cores cores = find_cores(labels, clearance_m, may_have_fans, min_width_m, executor);
     if (!cores.is_any) return;
-    const std::vector<std::vector<std::size_t>> hanging = find_hanging(labels, cores, resolution_m);
-    auto next = static_cast<std::uint32_t>(borders.size());
     std::vector<std::uint32_t> region_of(borders.size());
-    for (std::uint32_t label = 0; label < next; ++label) region_of[label] = label;
-    for (const std::vector<std::size_t>& cells : hanging) {
+    std::iota(region_of.begin(), region_of.end(), 0U);
+    for (const std::vector<std::size_t>& cells : find_hanging(labels, cores, resolution_m)) {
+        const double area_m2 = static_cast<double>(cells.size()) * resolution_m * resolution_m;
+        if (area_m2 < min_area_m2) continue;
+        const auto label = static_cast<std::uint32_t>(region_of.size());
         region_of.push_back(labels.values[cells.front()]);
-        for (const std::size_t cell : cells) labels.values[cell] = next;
-        ++next;
+        for (const std::size_t cell : cells) labels.values[cell] = label;
     }
+    if (region_of.size() == borders.size()) return;
     const std::vector<RegionBorder> anew =
         measure_borders(labels, states, layout, resolution_m, executor);
-    const std::vector<bool> is_entered = entered_labels(labels, next, way);
+    const std::vector<bool> is_entered = entered_labels(labels, region_of.size(), way);
     const auto is_fan = [&](std::uint32_t label) {
         return anew[label].open_share() >= kOpenFan && !is_entered[label];
     };
-    for (std::uint32_t label = static_cast<std::uint32_t>(borders.size()); label < next; ++label) {
-        const double area_m2 =
-            static_cast<double>(anew[label].num_cells) * resolution_m * resolution_m;
+    for (auto label = static_cast<std::uint32_t>(borders.size()); label < region_of.size();
+         ++label) {
         // A fan may also be the larger part, and a room hang on it.
-        const bool is_cut = is_fan(label) != is_fan(region_of[label]) && area_m2 >= min_area_m2;
-        if (is_cut) region_of[label] = label;
+        if (is_fan(label) != is_fan(region_of[label])) region_of[label] = label;
     }
     renumber(labels, region_of, executor);
 }
