@@ -16,33 +16,11 @@
 namespace quadcut {
 namespace {
 
+using test::flat;
+using test::flat_with_fans;
 using test::PaintedFloor;
 using test::room_at;
 using test::seen_as;
-
-/// Three rooms above a corridor and three below, of 4 x 3.8 m, walls and all; (2, 2) to (14.3, 12).
-PaintedFloor flat() {
-    PaintedFloor floor(17.0, 20.0, CellState::unknown);
-    for (int k = 0; k < 3; ++k) {
-        const double x = 2.15 + 4.05 * k;
-        floor.room({x, 2.15}, {x + 3.9, 5.95});
-        floor.room({x, 8.25}, {x + 3.9, 12.05});
-    }
-    floor.room({2.15, 6.1}, {14.15, 8.1});
-    for (int k = 0; k < 3; ++k) {
-        const double x = 3.6 + 4.05 * k;
-        floor.door({x, 5.9}, {x + 0.9, 6.15});
-        floor.door({x, 8.05}, {x + 0.9, 8.3});
-    }
-    return floor;
-}
-
-/// Two cells wide cracks in windows of the upper rooms, and what is seen through them.
-PaintedFloor flat_with_fans() {
-    PaintedFloor floor = flat();
-    for (int k = 0; k < 5; ++k) floor.fan({3.0 + 2.2 * k, 12.0}, -0.02, 0.18, 7.0);
-    return floor;
-}
 
 TEST(Field, FansOfRaysOutsideAreGlimpsesAndNoPartOfTheRooms) {
     const PaintedFloor floor = flat_with_fans();
