@@ -15,12 +15,6 @@
 namespace quadcut {
 namespace {
 
-double area_m2(const Segmentation& rooms) {
-    double sum = 0.0;
-    for (const Room& room : rooms.rooms) sum += room.area_m2;
-    return sum;
-}
-
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -32,9 +26,14 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 void print_text(const RunSummary& run) {
     const Segmentation& rooms = run.rooms;
-    std::cout << counted(rooms.rooms.size(), "room") << ", " << counted(rooms.doors.size(), "door")
-              << ", " << io::rounded(area_m2(rooms), 1) << " m²; "
-              << io::rounded(ms_since(run.begun_at), 0) << " ms\n";
+    const io::RoomTotals totals = io::totals_of(rooms);
+    std::cout << counted(totals.num_rooms, "room") << ", " << counted(rooms.doors.size(), "door")
+              << ", " << io::rounded(totals.area_m2, 1) << " m²; ";
+    if (totals.num_glimpses > 0) {
+        const bool is_one = totals.num_glimpses == 1;
+        std::cout << totals.num_glimpses << (is_one ? " glimpse; " : " glimpses; ");
+    }
+    std::cout << io::rounded(ms_since(run.begun_at), 0) << " ms\n";
     if (run.events) std::cout << io::events_text(*run.events) << "\n";
     if (is_for_people() && !rooms.rooms.empty()) {
         std::cout << "\n" << io::room_table(rooms, kTerminalTable) << "\n";

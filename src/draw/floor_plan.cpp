@@ -92,7 +92,7 @@ void draw_cells(const FloorCells& cells, const Executor& executor, FloorPlan& pl
 
 io::Rgb ink_of_zone(std::uint32_t zone) { return kZoneInks[(zone - 1) % kZoneInks.size()]; }
 
-/// With zones, in the tint of its zone.
+/// With zones, in the tint of its zone; glimpses are pale.
 DrawnRoom describe_room(const Segmentation& segmentation, std::size_t place, io::Rgb color) {
     const Room& room = segmentation.rooms[place];
     std::string kind(io::to_text(room.kind));
@@ -100,6 +100,10 @@ DrawnRoom describe_room(const Segmentation& segmentation, std::size_t place, io:
         const std::uint32_t zone = segmentation.zones.zone_of_room[place];
         color = io::mixed(color, ink_of_zone(zone), kZoneShare);
         kind += ", zone " + std::to_string(zone);
+    }
+    if (room.seen == Seen::glimpse) {
+        color = io::mixed(color, kPaper, kPaleShare);
+        kind = "glimpse";
     }
     return {room.id, color, {}, io::name_of(room), io::area_text(room.area_m2), std::move(kind)};
 }

@@ -104,6 +104,8 @@ inline constexpr double kBorderShare = 0.35;
 inline constexpr double kAreaTextShare = 0.75;
 /// What is a zone's in its rooms' colours, which are those of kZoneInks, in turns.
 inline constexpr double kZoneShare = 0.5;
+/// Of the paper in the colour of what was only glimpsed.
+inline constexpr double kPaleShare = 0.65;
 inline constexpr std::array<io::Rgb, 10> kZoneInks{{{0x5B, 0x8F, 0xD6},
                                                     {0xF0, 0xA0, 0x4B},
                                                     {0x7D, 0xBF, 0x6A},

@@ -65,6 +65,9 @@ public:
         json_.key("id").integer(index(room.id));
         json_.key("name").text(io::name_of(room));
         json_.key("kind").text(io::to_text(room.kind));
+        json_.key("seen").text(io::to_text(room.seen));
+        if (room.seen != Seen::whole)
+            json_.key("open_border").number(room.open_border, io::kShareDecimals);
         json_.key("area_m2").number(room.area_m2);
         json_.key("perimeter_m").number(perimeter_m(parts));
         json_.key("label_point");

@@ -40,6 +40,9 @@ std::string to_json(const Segmentation& segmentation) {
         json.key("id").integer(index(room.id));
         json.key("name").text(io::name_of(room));
         json.key("kind").text(io::to_text(room.kind));
+        json.key("seen").text(io::to_text(room.seen));
+        if (room.seen != Seen::whole)
+            json.key("open_border").number(room.open_border, io::kShareDecimals);
         json.key("area_m2").number(room.area_m2);
         json.key("x").number(room.label_point.x);
         json.key("y").number(room.label_point.y);

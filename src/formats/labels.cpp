@@ -65,6 +65,10 @@ std::string to_yaml(const Result& result) {
         yaml += io::json_text(io::name_of(room));
         yaml += ", kind: ";
         yaml += io::to_text(room.kind);
+        yaml += ", seen: ";
+        yaml += io::to_text(room.seen);
+        if (room.seen != Seen::whole)
+            yaml += ", open_border: " + io::rounded(room.open_border, io::kShareDecimals);
         yaml += ", area_m2: ";
         yaml += io::rounded(room.area_m2);
         yaml += ", centroid: ";

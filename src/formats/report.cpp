@@ -9,6 +9,7 @@
 #include "io/json_writer.hpp"
 #include "io/option_text.hpp"
 #include "io/room_events.hpp"
+#include "io/room_list.hpp"
 
 namespace quadcut::formats {
 namespace {
@@ -104,7 +105,9 @@ std::string to_json(const Result& result) {
     json.end_object();
     json.key("options");
     write_options(json, info.options);
-    json.key("num_rooms").integer(result.rooms().rooms.size());
+    const io::RoomTotals totals = io::totals_of(result.rooms());
+    json.key("num_rooms").integer(totals.num_rooms);
+    json.key("num_glimpses").integer(totals.num_glimpses);
     json.key("num_doors").integer(result.rooms().doors.size());
     json.key("num_leaves").integer(report.num_leaves);
     json.key("num_edges").integer(report.num_edges);

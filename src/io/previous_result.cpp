@@ -33,6 +33,14 @@ RoomKind kind_of(const YamlKeys& keys) {
     keys.fail(keys.require("kind"), "kind", "room, corridor, hall or unknown");
 }
 
+/// The whole in results that do not say.
+Seen seen_in(const YamlKeys& keys) {
+    const YamlNode* node = keys.find("seen");
+    if (node == nullptr) return Seen::whole;
+    if (const std::optional<Seen> seen = seen_of(keys.text("seen"))) return *seen;
+    keys.fail(*node, "seen", "whole, partly or glimpse");
+}
+
 /// The origin where there is none.
 Point point_of(const YamlKeys& keys, std::string_view key) {
     const YamlNode* node = keys.find(key);
@@ -110,6 +118,10 @@ RoomsLegend parse_rooms_yaml(std::string_view bytes, const std::string& name) {
         room.id = RoomId{ids.read(room_keys, "id")};
         room.name = room_keys.text("name");
         room.kind = kind_of(room_keys);
+        room.seen = seen_in(room_keys);
+        if (room_keys.find("open_border") != nullptr) {
+            room.open_border = room_keys.number("open_border");
+        }
         room.centroid = point_of(room_keys, "centroid");
         room.label_point = point_of(room_keys, "label_point");
         if (const std::optional<Rgb> color = color_of(room_keys)) legend.colors[room.id] = *color;

@@ -71,7 +71,8 @@ std::string room_table(const Segmentation& segmentation, const TableLimits& limi
         if (rows.size() > limits.rows) break;
         const Room& room = rooms[place];
         rows.push_back({std::to_string(index(room.id)), shortened(name_of(room), limits),
-                        std::string(to_text(room.kind)), with_decimals(room.area_m2, 1) + " m²",
+                        room.seen == Seen::glimpse ? "" : std::string(to_text(room.kind)),
+                        with_decimals(room.area_m2, 1) + " m²",
                         std::to_string(num_doors[room.id])});
     }
     std::array<std::size_t, kNumColumns> widths{};
@@ -90,19 +91,33 @@ std::string room_table(const Segmentation& segmentation, const TableLimits& limi
     return table;
 }
 
+RoomTotals totals_of(const Segmentation& segmentation) {
+    RoomTotals totals;
+    for (const Room& room : segmentation.rooms) {
+        if (room.seen == Seen::glimpse) {
+            ++totals.num_glimpses;
+        } else {
+            ++totals.num_rooms;
+            totals.area_m2 += room.area_m2;
+        }
+    }
+    return totals;
+}
+
 void write_rooms_and_doors(JsonWriter& json, const Segmentation& segmentation) {
     std::map<RoomId, std::size_t> num_doors = count_doors(segmentation);
-    double area_m2 = 0.0;
-    for (const Room& room : segmentation.rooms) area_m2 += room.area_m2;
-    json.key("num_rooms").integer(segmentation.rooms.size());
+    const RoomTotals totals = totals_of(segmentation);
+    json.key("num_rooms").integer(totals.num_rooms);
+    json.key("num_glimpses").integer(totals.num_glimpses);
     json.key("num_doors").integer(segmentation.doors.size());
-    json.key("area_m2").number(area_m2);
+    json.key("area_m2").number(totals.area_m2);
     json.key("rooms").begin_array(JsonLayout::lines);
     for (const Room& room : segmentation.rooms) {
         json.begin_object().key("id").integer(index(room.id));
         json.key("name").text(name_of(room));
         json.key("kind").text(to_text(room.kind));
         json.key("area_m2").number(room.area_m2);
+        json.key("seen").text(to_text(room.seen));
         json.key("num_doors").integer(num_doors[room.id]);
         json.key("x").number(room.label_point.x);
         json.key("y").number(room.label_point.y).end_object();

@@ -14,6 +14,8 @@ namespace {
 
 /// By RoomKind.
 constexpr std::array<std::string_view, 4> kKinds{"unknown", "room", "corridor", "hall"};
+/// By Seen.
+constexpr std::array<std::string_view, 3> kSeen{"whole", "partly", "glimpse"};
 
 }  // namespace
 
@@ -23,6 +25,14 @@ std::optional<RoomKind> room_kind(std::string_view text) {
     const auto found = std::find(kKinds.begin(), kKinds.end(), text);
     if (found == kKinds.end()) return std::nullopt;
     return static_cast<RoomKind>(found - kKinds.begin());
+}
+
+std::string_view to_text(Seen seen) { return kSeen[static_cast<std::size_t>(seen)]; }
+
+std::optional<Seen> seen_of(std::string_view text) {
+    const auto found = std::find(kSeen.begin(), kSeen.end(), text);
+    if (found == kSeen.end()) return std::nullopt;
+    return static_cast<Seen>(found - kSeen.begin());
 }
 
 std::string name_of(const Room& room) {

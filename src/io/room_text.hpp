@@ -15,8 +15,16 @@ namespace quadcut::io {
 /// The kind that has this text; nothing for any other.
 [[nodiscard]] std::optional<RoomKind> room_kind(std::string_view text);
 
+/// "whole", "partly" or "glimpse".
+[[nodiscard]] std::string_view to_text(Seen seen);
+/// What was seen that has this text; nothing for any other.
+[[nodiscard]] std::optional<Seen> seen_of(std::string_view text);
+
 /// The room's name, or "Room 7" if it has none.
 [[nodiscard]] std::string name_of(const Room& room);
+
+/// Of the share of a border that is open.
+inline constexpr int kShareDecimals = 2;
 
 /// "12.3 m²", whole square metres from 100 on.
 [[nodiscard]] std::string area_text(double area_m2);

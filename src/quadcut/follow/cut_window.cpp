@@ -11,6 +11,7 @@
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/flood.hpp"
 #include "quadcut/map/layout.hpp"
+#include "quadcut/rooms/glimpses.hpp"
 #include "quadcut/rooms/rooms.hpp"
 
 namespace quadcut {
@@ -91,9 +92,13 @@ Alone cut_alone(const FollowedMap& followed, const Window& window, const Segment
         alone.cells_read += add_beyond(followed, window, pieces, regions);
     };
     StageClock clock;
-    const RoomsCut laid =
+    RoomsCut laid =
         cut_into_rooms({laid_out<std::uint8_t>(kept, layout, 0), states, resolution_m, beyond},
                        options.rooms, clock, executor);
+    std::vector<Cell> way = followed.way;
+    for (Cell& cell : way) cell = layout.place_of(cell);
+    split_off_fans(laid.rooms, laid.clearance_m, window.states, layout, resolution_m,
+                   options.rooms.min_passable_m, options.rooms.min_room_m2, way, executor);
     alone.cut.rooms = Raster<std::uint32_t>(layout.box);
     alone.cut.pieces = Raster<std::uint32_t>(layout.box);
     alone.cut.clearance_m = Raster<float>(layout.box);

@@ -10,6 +10,7 @@
 #include "quadcut/map/clearance.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/glimpses.hpp"
 #include "quadcut/rooms/open_space.hpp"
 #include "quadcut/zones/zones.hpp"
 
@@ -18,7 +19,8 @@ namespace quadcut {
 Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
                        const Executor& executor, const ZoneOptions& zones) {
     const GridMap grid = followed.map.to_grid();
-    RoomsInBox known = rooms_in_box(followed, followed.map.to_raster().box());
+    const Box box = followed.map.to_raster().box();
+    RoomsInBox known = rooms_in_box(followed, box);
     const auto count = static_cast<std::uint32_t>(known.rooms.size());
     Segmentation result;
     result.labels = Raster<std::uint16_t>(grid.states.box());
@@ -34,11 +36,15 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
                    kMinDoorM, executor);
     result.rooms = describe_rooms(known.labels, count, grid, layout, result.doors, executor,
                                   std::move(clearance));
+    std::vector<Cell> way;
+    for (const Cell cell : followed.way) way.push_back({cell.x - box.low.x, cell.y - box.low.y});
+    judge_seen(result.rooms, known.labels, grid.states, layout, grid.resolution_m, result.doors,
+               way, executor);
     for (std::size_t i = 0; i < known.rooms.size(); ++i) {
         Room& room = result.rooms[i];
         room.id = RoomId{known.rooms[i]};
         const std::string& name = followed.rooms.at(known.rooms[i]).name;
-        room.name = name.empty() ? default_name(room.kind, room.id) : name;
+        room.name = name.empty() ? default_name(room) : name;
     }
     for (Door& door : result.doors) {
         for (RoomId* side : {&door.a, &door.b}) *side = result.rooms[index(*side) - 1].id;

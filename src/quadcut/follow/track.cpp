@@ -42,9 +42,10 @@ std::vector<double> areas_m2(const std::vector<Room>& rooms) {
     return areas;
 }
 
-std::string kept_name(const Room& earlier, RoomKind kind) {
-    const bool is_own = earlier.name != default_name(earlier.kind, earlier.id);
-    return is_own ? earlier.name : default_name(kind, earlier.id);
+/// `now` has the earlier id.
+std::string kept_name(const Room& earlier, const Room& now) {
+    const bool is_own = earlier.name != default_name(earlier);
+    return is_own ? earlier.name : default_name(now);
 }
 
 RoomId take_id(std::uint32_t& next_id) {
@@ -87,12 +88,12 @@ Tracked track(Segmentation segmentation, const EarlierRooms& earlier) {
         RoomId other{};
         if (is[n].same != kNoKin) {
             room.id = earlier.rooms[is[n].same].id;
-            room.name = kept_name(earlier.rooms[is[n].same], room.kind);
+            room.name = kept_name(earlier.rooms[is[n].same], room);
         } else {
             change = is[n].holder == kNoKin ? RoomChange::born : RoomChange::split;
             if (change == RoomChange::split) other = earlier.rooms[is[n].holder].id;
             room.id = take_id(segmentation.next_id);
-            room.name = default_name(room.kind, room.id);
+            room.name = default_name(room);
         }
         events.push_back(event_of(change, room.id, other, room.name, room.area_m2));
     }

@@ -15,6 +15,11 @@ namespace quadcut {
 /// What a room is by its shape and its doors.
 enum class RoomKind : std::uint8_t { unknown, room, corridor, hall };
 
+/// How much of a room was seen: all of it, but for a little; a part, so that much of its border is
+/// open to the unknown; or it was glimpsed from elsewhere, as rays through a window or a door left
+/// ajar, and is no room.
+enum class Seen : std::uint8_t { whole, partly, glimpse };
+
 /// A place people would name. Positions are in the map frame, metres.
 struct Room {
     RoomId id{};
@@ -25,6 +30,9 @@ struct Room {
     /// A free point inside the room, as far from its border as can be: where a label fits and a
     /// robot can stand.
     Point label_point;
+    Seen seen = Seen::whole;
+    /// 0..1: of its border with the unknown and with obstacles, that with the unknown.
+    double open_border = 0.0;
 };
 
 /// The cut between two rooms: a straight line across the opening, from jamb to jamb.

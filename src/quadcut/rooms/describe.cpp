@@ -145,6 +145,12 @@ std::vector<Outline> measure_outlines(const Raster<std::uint32_t>& regions, doub
         });
 }
 
+/// What a default name begins with.
+std::string word_for(Seen seen, RoomKind kind) {
+    if (seen == Seen::glimpse) return "glimpse ";
+    return kind == RoomKind::corridor ? "corridor " : kind == RoomKind::hall ? "hall " : "room ";
+}
+
 /// A corridor is long for its width and leads somewhere, or is very long; a hall is large.
 RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_doors) {
     const auto num_cells = static_cast<double>(std::max<std::size_t>(outline.num_cells, 1));
@@ -163,11 +169,8 @@ RoomKind kind_of(const Outline& outline, double resolution_m, std::size_t num_do
 
 }  // namespace
 
-std::string default_name(RoomKind kind, RoomId id) {
-    const char* const word = kind == RoomKind::corridor ? "corridor "
-                             : kind == RoomKind::hall   ? "hall "
-                                                        : "room ";
-    return word + std::to_string(index(id));
+std::string default_name(const Room& room) {
+    return word_for(room.seen, room.kind) + std::to_string(index(room.id));
 }
 
 RoomId room_with_default_name(std::string_view name) {
@@ -175,10 +178,11 @@ RoomId room_with_default_name(std::string_view name) {
     // From the first character on where there is no space.
     const std::size_t begin = name.rfind(' ') + 1;
     std::from_chars(name.data() + begin, name.data() + name.size(), id);
+    const std::string number = std::to_string(id);
     for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
-        if (default_name(kind, RoomId{id}) == name) return RoomId{id};
+        if (word_for(Seen::whole, kind) + number == name) return RoomId{id};
     }
-    return RoomId{};
+    return word_for(Seen::glimpse, {}) + number == name ? RoomId{id} : RoomId{};
 }
 
 std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint32_t count,
@@ -209,7 +213,7 @@ std::vector<Room> describe_rooms(const Raster<std::uint32_t>& labels, std::uint3
         room.id = RoomId{id};
         room.area_m2 = num_cells * map.resolution_m * map.resolution_m;
         room.kind = kind_of(outlines[id], sample_m, num_doors[id]);
-        room.name = default_name(room.kind, room.id);
+        room.name = default_name(room);
         room.centroid = frame.in_map({shape.sum_x / num_cells, shape.sum_y / num_cells});
         room.label_point = frame.in_map({shape.deepest.x + 0.5, shape.deepest.y + 0.5});
         rooms.push_back(std::move(room));

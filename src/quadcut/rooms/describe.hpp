@@ -15,8 +15,9 @@
 
 namespace quadcut {
 
-/// The name of a room that nobody has named: "corridor 3". Rooms of unknown kind are rooms.
-[[nodiscard]] std::string default_name(RoomKind kind, RoomId id);
+/// The name of a room that nobody has named: "corridor 3", or "glimpse 9". Rooms of unknown kind
+/// are rooms.
+[[nodiscard]] std::string default_name(const Room& room);
 
 /// The room whose default name this is or would be, whatever its kind; 0 = none.
 [[nodiscard]] RoomId room_with_default_name(std::string_view name);

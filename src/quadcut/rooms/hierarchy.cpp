@@ -80,4 +80,26 @@ Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regio
     return hierarchy;
 }
 
+void keep_nested(Hierarchy& hierarchy, const Raster<std::uint32_t>& rooms) {
+    if (hierarchy.levels.empty()) return;
+    const std::size_t num_finest = hierarchy.levels.front().region_of_finest.size();
+    std::vector<std::uint32_t> room_of(num_finest + 1, 0);
+    std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint16_t> split;
+    for (std::size_t i = 0; i < rooms.values.size(); ++i) {
+        std::uint16_t& region = hierarchy.finest.values[i];
+        const std::uint32_t room = rooms.values[i];
+        if (region == 0 || room == 0 || room_of[region] == room) continue;
+        if (room_of[region] == 0) {
+            room_of[region] = room;
+            continue;
+        }
+        const auto next = static_cast<std::uint16_t>(num_finest + split.size() + 1);
+        const auto [at, is_new] = split.try_emplace(std::pair{region, room}, next);
+        for (HierarchyLevel& level : hierarchy.levels) {
+            if (is_new) level.region_of_finest.push_back(level.region_of_finest[region - 1U]);
+        }
+        region = at->second;
+    }
+}
+
 }  // namespace quadcut

@@ -25,4 +25,8 @@ void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::
                                         double max_width_m,
                                         std::span<const Enclosure> enclosures = {});
 
+/// What `rooms` have of a region of the finest level becomes a region of its own where several have
+/// some, so that every room is a union of regions again; coarser levels stay as they are. O(cells).
+void keep_nested(Hierarchy& hierarchy, const Raster<std::uint32_t>& rooms);
+
 }  // namespace quadcut

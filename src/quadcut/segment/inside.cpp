@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <vector>
 
 namespace quadcut {
@@ -25,6 +27,34 @@ std::vector<std::uint32_t> num_border_cells(const ConnectedParts& parts) {
         result[run.part] += is_edge_row ? run.end - run.begin : num_ends;
     });
     return result;
+}
+
+/// The border of a box, once around. @pre at least two cells each way.
+std::vector<Cell> border_of(const Box& box) {
+    std::vector<Cell> border;
+    for (std::int32_t x = box.low.x; x < box.high.x; ++x) border.push_back({x, box.low.y});
+    for (std::int32_t y = box.low.y; y < box.high.y; ++y) border.push_back({box.high.x, y});
+    for (std::int32_t x = box.high.x; x > box.low.x; --x) border.push_back({x, box.high.y});
+    for (std::int32_t y = box.high.y; y > box.low.y; --y) border.push_back({box.low.x, y});
+    return border;
+}
+
+/// The labels of the longest stretch without a 0 of what goes around, where that is more than half.
+std::set<std::uint32_t> labels_around(const std::vector<std::uint32_t>& around) {
+    const std::size_t length = around.size();
+    std::size_t begin = 0;
+    // Twice around: a stretch may go on over the first one.
+    for (std::size_t i = 0; i < 2 * length; ++i) {
+        if (around[i % length] == 0) begin = i + 1;
+        const std::size_t stretch = i + 1 - begin;
+        if (2 * stretch <= length) continue;
+        std::size_t end = i + 1;
+        while (end < begin + length && around[end % length] != 0) ++end;
+        std::set<std::uint32_t> labels;
+        for (; begin < end; ++begin) labels.insert(around[begin % length]);
+        return labels;
+    }
+    return {};
 }
 
 }  // namespace
@@ -104,6 +134,35 @@ Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajector
     auto mask = Raster<std::uint8_t>::unset(map.states.box());
     free.paint(kept, mask, executor);
     return mask;
+}
+
+void drop_outside(Raster<std::uint32_t>& labels, const Layout& layout, const Box& box,
+                  std::span<const Cell> way) {
+    if (box.width() < 2 || box.height() < 2) return;
+    std::vector<std::uint32_t> around;
+    for (const Cell cell : border_of(box)) {
+        const Cell place = layout.place_of(cell);
+        around.push_back(labels.contains(place) ? labels.at(place) : 0);
+    }
+    std::set<std::uint32_t> outside = labels_around(around);
+    for (const Cell cell : way) {
+        if (labels.contains(cell)) outside.erase(labels.at(cell));
+    }
+    if (outside.empty()) return;
+    std::vector<std::size_t> outer;
+    std::size_t num_inside = 0;
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (labels.values[i] == 0) continue;
+        if (outside.count(labels.values[i]) != 0) {
+            outer.push_back(i);
+        } else {
+            ++num_inside;
+        }
+    }
+    if (static_cast<double>(num_inside) < kMinBuildingShare * static_cast<double>(outer.size())) {
+        return;
+    }
+    for (const std::size_t i : outer) labels.values[i] = 0;
 }
 
 }  // namespace quadcut

@@ -11,6 +11,7 @@
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/connected_parts.hpp"
 #include "quadcut/map/grid_map.hpp"
+#include "quadcut/map/layout.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
@@ -37,5 +38,12 @@ void drop_uncrossed(Raster<std::uint32_t>& labels, std::span<const Cell> way);
 /// ground outside and left out, unless the trajectory enters it, or nothing else is left. O(cells).
 [[nodiscard]] Raster<std::uint8_t> inside(const GridMap& map, std::span<const Point> trajectory,
                                           double min_area_m2, const Executor& executor = {});
+
+/// The ground outside once more, when it is cut from the building in which an open door leads:
+/// along the border of the map, `box`, more than half of it, there is nothing but floor. The
+/// regions there become 0, but where the robot was, and if the others have at least a twentieth of
+/// their cells. `labels` and `way` are laid out. O(cells).
+void drop_outside(Raster<std::uint32_t>& labels, const Layout& layout, const Box& box,
+                  std::span<const Cell> way);
 
 }  // namespace quadcut

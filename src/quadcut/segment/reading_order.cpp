@@ -26,22 +26,15 @@ Point place_on_page(const Room& room, const Raster<std::uint16_t>& labels, const
     return {at.x, -at.y};
 }
 
-/// The number of each room, 1 .. n: row by row, from left to right. What is less than three
-/// quarters of a usual room's size lower than the first of a row is in that row.
-std::vector<std::uint32_t> reading_order(const Segmentation& result, const GridMap& map) {
-    struct Place {
-        Point at;
-        std::uint32_t label = 0;
-    };
-    std::vector<Place> places;
-    std::vector<double> areas_m2;
-    for (const Room& room : result.rooms) {
-        places.push_back(
-            {place_on_page(room, result.labels, map), static_cast<std::uint32_t>(room.id)});
-        areas_m2.push_back(room.area_m2);
-    }
-    std::vector<std::uint32_t> number(places.size() + 1, 0);
-    if (places.empty()) return number;
+/// Where a room is on the page.
+struct Place {
+    Point at;
+    std::uint32_t label = 0;
+};
+
+/// Row by row, from left to right. What is less than three quarters of a usual room's size lower
+/// than the first of a row is in that row. At least one, with their areas.
+void put_in_reading_order(std::vector<Place>& places, std::vector<double> areas_m2) {
     const auto median = areas_m2.begin() + static_cast<std::ptrdiff_t>(areas_m2.size() / 2);
     std::nth_element(areas_m2.begin(), median, areas_m2.end());
     const double row_m = 0.75 * std::sqrt(*median);
@@ -59,8 +52,25 @@ std::vector<std::uint32_t> reading_order(const Segmentation& result, const GridM
         std::sort(row, next, is_left);
         row = next;
     }
+}
+
+/// The number of each room, 1 .. n. Those of glimpses follow those of rooms.
+std::vector<std::uint32_t> reading_order(const Segmentation& result, const GridMap& map) {
+    std::vector<std::uint32_t> number(result.rooms.size() + 1, 0);
     std::uint32_t count = 0;
-    for (const Place& place : places) number[place.label] = ++count;
+    for (const bool are_glimpses : {false, true}) {
+        std::vector<Place> places;
+        std::vector<double> areas_m2;
+        for (const Room& room : result.rooms) {
+            if ((room.seen == Seen::glimpse) != are_glimpses) continue;
+            places.push_back(
+                {place_on_page(room, result.labels, map), static_cast<std::uint32_t>(room.id)});
+            areas_m2.push_back(room.area_m2);
+        }
+        if (places.empty()) continue;
+        put_in_reading_order(places, std::move(areas_m2));
+        for (const Place& place : places) number[place.label] = ++count;
+    }
     return number;
 }
 
@@ -103,7 +113,7 @@ void number_in_reading_order(Segmentation& result, const GridMap& map, const Exe
     renumber(result.labels, number, executor);
     for (Room& room : result.rooms) {
         room.id = RoomId{number[index(room.id)]};
-        room.name = default_name(room.kind, room.id);
+        room.name = default_name(room);
     }
     std::sort(result.rooms.begin(), result.rooms.end(),
               [](const Room& p, const Room& q) { return p.id < q.id; });

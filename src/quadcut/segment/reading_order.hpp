@@ -18,7 +18,8 @@ std::uint32_t number_by_first_cells(Raster<std::uint32_t>& labels, const Layout&
                                     const Executor& executor = {});
 
 /// Renumbers rooms, and with them labels and doors, as one reads the page on which the map's image
-/// is: row by row from the top, from left to right. Rooms get their default names. O(cells).
+/// is: row by row from the top, from left to right, rooms before glimpses. Rooms get their default
+/// names. O(cells).
 void number_in_reading_order(Segmentation& result, const GridMap& map,
                              const Executor& executor = {});
 

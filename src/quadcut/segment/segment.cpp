@@ -17,6 +17,8 @@
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/glimpses.hpp"
+#include "quadcut/rooms/hierarchy.hpp"
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
@@ -26,10 +28,10 @@
 namespace quadcut {
 namespace {
 
-/// Numbers, doors and descriptions: what both presets end with. The rasters are laid out.
+/// Numbers, doors and descriptions: what both presets end with. The rasters and `way` are laid out.
 void complete(Raster<std::uint32_t> labels, const Ground& ground, const GridMap& map,
-              const Layout& layout, StageClock& clock, const Executor& executor,
-              Segmentation& result) {
+              const Layout& layout, std::span<const Cell> way, StageClock& clock,
+              const Executor& executor, Segmentation& result) {
     clock.begin("doors");
     const std::uint32_t count = number_by_first_cells(labels, layout, executor);
     if (count > kMaxRoomId) {
@@ -40,6 +42,8 @@ void complete(Raster<std::uint32_t> labels, const Ground& ground, const GridMap&
                               {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
     result.rooms =
         describe_rooms(labels, count, map, layout, result.doors, executor);
+    judge_seen(result.rooms, labels, map.states, layout, map.resolution_m, result.doors, way,
+               executor);
     result.next_id = count + 1;
     result.labels =
         Raster<std::uint16_t>(map.states.origin, map.states.width, map.states.height, 0, executor);
@@ -67,6 +71,14 @@ Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, doubl
     return floor;
 }
 
+/// Where the robot was, laid out.
+std::vector<Cell> way_in(const Layout& layout, const GridMap& map,
+                         std::span<const Point> trajectory) {
+    std::vector<Cell> way = visited_cells(map, trajectory);
+    for (Cell& cell : way) cell = layout.place_of(cell);
+    return way;
+}
+
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
                            std::span<const Point> trajectory, StageClock& clock,
                            const Executor& executor) {
@@ -74,21 +86,24 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     clock.begin("inside");
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
-    std::vector<Cell> way;
-    if (drops_uncrossed(options)) way = visited_cells(map, trajectory);
-    for (Cell& cell : way) cell = floor.layout.place_of(cell);
+    const std::vector<Cell> way = way_in(floor.layout, map, trajectory);
     RoomsCut cut = cut_into_rooms(
         {std::move(floor.kept), floor.states, map.resolution_m, {}, options.paper.num_submaps},
         options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
+    drop_outside(cut.rooms, floor.layout, map.states.box(), way);
+    split_off_fans(cut.rooms, cut.clearance_m, map.states, floor.layout, map.resolution_m,
+                   options.rooms.min_passable_m, options.rooms.min_room_m2, way, executor);
     if (options.with_hierarchy) {
+        keep_nested(result.hierarchy, cut.rooms);
         Raster<std::uint16_t> finest(map.states.origin, map.states.width, map.states.height);
         put_back(result.hierarchy.finest, floor.layout, finest, executor);
         result.hierarchy.finest = std::move(finest);
     }
-    drop_uncrossed(cut.rooms, way);
-    complete(std::move(cut.rooms), {cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines, map.resolution_m}, map, floor.layout, clock, executor,
-             result);
+    if (drops_uncrossed(options)) drop_uncrossed(cut.rooms, way);
+    const Ground ground{cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines,
+                        map.resolution_m};
+    complete(std::move(cut.rooms), ground, map, floor.layout, way, clock, executor, result);
     return result;
 }
 
@@ -143,7 +158,9 @@ Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options
         clearance_m(mask_of(map, CellState::free), map.resolution_m, executor);
     clearance.origin = {0, 0};
     const WallLines no_lines;
-    complete(std::move(labels), {clearance, clearance, map.states, no_lines, map.resolution_m}, map, as_it_lies(map.states.box()), clock,
+    const Layout layout = as_it_lies(map.states.box());
+    const Ground ground{clearance, clearance, map.states, no_lines, map.resolution_m};
+    complete(std::move(labels), ground, map, layout, way_in(layout, map, trajectory), clock,
              executor, result);
     return result;
 }

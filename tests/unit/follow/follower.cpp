@@ -17,6 +17,7 @@
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/segment.hpp"
 #include "tests/unit/follow/followed.hpp"
+#include "tests/unit/segment/painted_floor.hpp"
 
 namespace quadcut {
 namespace {
@@ -272,6 +273,22 @@ TEST(Follower, StampsThatRepeatOrRunBackwardsAndOtherBeamsAreFollowed) {
     odd.finish();
     const std::set<RoomId> after = ids_of(odd.rooms());
     for (const RoomId id : before) EXPECT_EQ(after.count(id), 1U);
+}
+
+TEST(Follower, FansOfRaysAreGlimpsesAsInTheWholeMap) {
+    Follower follower;
+    follower.update_cells(test::flat_with_fans().map.states);
+    follower.finish();
+    const Segmentation rooms = follower.rooms();
+    const Segmentation whole = segment(follower.map().to_grid());
+    for (const Seen seen : {Seen::whole, Seen::partly, Seen::glimpse}) {
+        std::multiset<double> areas_m2;
+        std::multiset<double> expected_m2;
+        for (const Room& room : test::seen_as(rooms, seen)) areas_m2.insert(room.area_m2);
+        for (const Room& room : test::seen_as(whole, seen)) expected_m2.insert(room.area_m2);
+        EXPECT_EQ(areas_m2, expected_m2);
+    }
+    EXPECT_EQ(test::seen_as(rooms, Seen::glimpse).size(), 5U);
 }
 
 TEST(Follower, AWallThatGoesUpSplitsARoomAndOneThatGoesDownMergesThem) {
