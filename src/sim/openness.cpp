@@ -96,7 +96,9 @@ void add_lobby(Plan& plan, const Lobby& lobby, const Frame& end, std::size_t cor
 void widen_doors(Plan& plan, double share, Random random) {
     for (PlanDoor& door : plan.doors) {
         const double choice = random.uniform();
-        const double width = random.uniform(1.3, 4.5);
+        // Some halls are open along most of a side.
+        const double width =
+            random.uniform() < 0.8 ? random.uniform(1.3, 4.5) : random.uniform(4.5, 10.0);
         const auto is_way = [&](std::size_t room) {
             return plan.rooms[room].use == RoomUse::corridor;
         };
