@@ -40,7 +40,7 @@ struct BuildingOptions {
     /// and islands, along corridors and beside doors, chairs pushed about.
     double clutter = 0.0;
     /// 0: rooms have doors; 1: corridors end in lobbies and round halls that they enter at their
-    /// full width, and more than half of the rooms have an opening of up to 4.5 m.
+    /// full width, and more than half of the rooms have an opening of up to 10 m.
     double openness = 0.0;
 };
 

@@ -117,10 +117,10 @@ void add_fixtures(Furnisher& furnisher, double amount, Random& random) {
     const bool has_rows = use != RoomUse::classroom && area > 22.0 &&
                           random.uniform() < (use == RoomUse::hall ? 0.4 : 0.65);
     if (has_rows) add_desk_rows(furnisher, amount, random);
-    for (int i = count_of(amount * std::sqrt(area) * 0.55, random); i > 0; --i) {
+    for (int i = count_of(amount * std::sqrt(area) * 0.7, random); i > 0; --i) {
         add_shelves(furnisher, random.uniform(0.8, 3.2), 0.65, 0.0, random);
     }
-    if (area > 18.0) add_dividers(furnisher, count_of(amount * area / 40.0, random), random);
+    if (area > 18.0) add_dividers(furnisher, count_of(amount * area / 28.0, random), random);
     if (area > 14.0) add_islands(furnisher, count_of(amount * area / 45.0, random), random);
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kWall = 0.12;
 constexpr double kLeastHallM2 = 60.0;
+constexpr double kLongestWall = 30.0;
 
 bool is_floor(const PlanRoom& room, const Point& p) {
     return std::any_of(room.parts.begin(), room.parts.end(), [&](const FloorPart& part) {
@@ -24,11 +25,11 @@ bool divides(const Plan& plan, const PlanDoor& door, double x) {
            is_floor(plan.rooms[door.b], door.frame.map({x, door.opening.y1 + kNear}));
 }
 
-// As wide as wished, as far as the wall between the two rooms goes on.
-void widen(const Plan& plan, PlanDoor& door, double width) {
+// The opening of a door, as wide as wished, as far as the wall between the two rooms goes on.
+Rect widened(const Plan& plan, const PlanDoor& door, double width) {
     constexpr double kStep = 0.1;
     constexpr double kJamb = 0.12;
-    Rect& opening = door.opening;
+    Rect opening = door.opening;
     bool grows = true;
     while (grows && opening.width() < width) {
         grows = false;
@@ -41,6 +42,7 @@ void widen(const Plan& plan, PlanDoor& door, double width) {
             grows = true;
         }
     }
+    return opening;
 }
 
 }  // namespace
@@ -96,7 +98,9 @@ void add_lobby(Plan& plan, const Lobby& lobby, const Frame& end, std::size_t cor
 void widen_doors(Plan& plan, double share, Random random) {
     for (PlanDoor& door : plan.doors) {
         const double choice = random.uniform();
-        const double width = random.uniform(1.3, 4.5);
+        // Some halls are open along most of a side.
+        const double width =
+            random.uniform() < 0.8 ? random.uniform(1.3, 4.5) : random.uniform(4.5, 10.0);
         const auto is_way = [&](std::size_t room) {
             return plan.rooms[room].use == RoomUse::corridor;
         };
@@ -107,7 +111,10 @@ void widen_doors(Plan& plan, double share, Random random) {
         const bool is_fire_door = is_way(door.a) && is_way(door.b);
         const double likely = is_way(door.a) ? share : 0.3 * share;
         if (choice >= likely || is_private || is_fire_door || door.is_open_passage) continue;
-        widen(plan, door, width);
+        // With less of a wall than that, nobody would speak of two rooms.
+        constexpr double kMostOfWall = 0.8;
+        const double wall = widened(plan, door, kLongestWall).width();
+        door.opening = widened(plan, door, std::min(width, kMostOfWall * wall));
         door.is_open_passage = true;
     }
 }

@@ -25,8 +25,8 @@ struct Lobby {
 /// Adds it to the plan at the end of a corridor.
 void add_lobby(Plan& plan, const Lobby& lobby, const Frame& end, std::size_t corridor);
 
-/// Opens a share of the doors as wide as up to the whole wall between the two rooms, 4.5 m at most:
-/// no leaf any more.
+/// Opens a share of the doors up to four fifths of the wall between the two rooms, 10 m at most: no
+/// leaf any more.
 void widen_doors(Plan& plan, double share, Random random);
 
 }  // namespace quadcut::sim

@@ -69,10 +69,10 @@ Site draw_site(const RealityOptions& options) {
     site.building.seed = options.seed;
     site.building.num_rooms = options.num_rooms;
     site.building.resolution_m = options.resolution_m;
-    site.building.furniture = random.uniform(0.6, 1.0);
-    site.building.clutter = c * random.uniform(0.5, 1.0);
+    site.building.furniture = random.uniform(0.7, 1.0);
+    site.building.clutter = c * random.uniform(0.6, 1.0);
     site.building.open_leaves = random.uniform(0.3, 0.9);
-    site.building.openness = c * random.uniform(0.0, 0.7);
+    site.building.openness = c * random.uniform(0.1, 0.9);
     site.building.yaw_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(-0.8, 0.8);
     site.building.turned_wings = 0.4;
     site.world = {options.seed, c * some_or_none(random, 0.35, 0.05, 0.5),

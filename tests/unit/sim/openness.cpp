@@ -26,7 +26,7 @@ TEST(Openness, WidenedDoorsStayInTheWallBetweenTheirRooms) {
         const PlanDoor& door = plan.doors.front();
         EXPECT_TRUE(door.is_open_passage);
         EXPECT_GE(door.opening.width(), 1.3);
-        EXPECT_LE(door.opening.width(), 4.8);
+        EXPECT_LE(door.opening.width(), 0.8 * 6.0);
         EXPECT_GT(door.opening.x0, 4.1);
         EXPECT_LT(door.opening.x1, 9.9);
         is_wide = is_wide || door.opening.width() > 3.0;
