@@ -120,13 +120,12 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
                                     PieceSource pieces, bool has_void = false) {
     const auto kept = inside(map, {}, kMinComponentM2);
     const char* furn = std::getenv("FURN");
-    const auto open = open_space(kept, map.resolution_m, furn ? std::atof(furn) : RoomsOptions{}.max_furniture_m2);
+    const WallLines lines = find_wall_lines(kept, map.resolution_m, 4.0);
+    const auto open = open_space(kept, map.resolution_m, furn ? std::atof(furn) : RoomsOptions{}.max_furniture_m2, lines);
     const Raster<float> clearance = clearance_m(open, map.resolution_m);
     const Raster<float> free_clearance = clearance_m(kept, map.resolution_m);
     const bool all = true;
     Basins basins = build_basins(all ? free_clearance : clearance, map.resolution_m);
-    WallLines lines;
-    lines = find_wall_lines(kept, map.resolution_m, 4.0);
     if (!lines.more_dm.values.empty()) basins.count = split_at_lines(lines, basins.labels);
     spread_labels(open, basins.labels);
     RegionGraph regions(basins.labels, basins.count, {clearance, free_clearance, map.states, lines, map.resolution_m});
@@ -317,16 +316,20 @@ void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
 }
 
 void add_cluttered(int num, PieceSource pieces, Report& report) {
-    const auto all = run_cases<std::vector<Sample>>(static_cast<std::size_t>(num), [&](std::size_t i) {
+    const auto all = run_cases<std::array<std::vector<Sample>, 2>>(static_cast<std::size_t>(num), [&](std::size_t i) {
         sim::RealityOptions options;
         options.seed = static_cast<std::uint64_t>(20001 + i);
         options.num_rooms = 12 + static_cast<int>(i) * 7 % 37;
         const sim::RealMap real = sim::scan_as_robots_do(options);
-        return decide_by_truth(real.map, real.truth, pieces, true);
+        std::array<std::vector<Sample>, 2> out;
+        out[0] = decide_by_truth(real.map, real.truth, pieces, true);
+        out[1] = decide_by_truth(real.building.map, lab_truth_at(real.building, real.building.map), pieces, false);
+        return out;
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = "seed_cluttered_" + std::to_string(i);
-        report.add(name, name, "simulated cluttered", all[i]);
+        report.add(name, name, "simulated cluttered", all[i][0]);
+        report.add(name, name, "simulated drawn", all[i][1]);
     }
 }
 
@@ -337,7 +340,7 @@ int run_eval(int argc, char** argv) {
         if (std::string(argv[i]) == "--sim") sim = std::stoul(argv[i + 1]);
     }
     std::vector<DataMap> maps;
-    for (DataMap& m : all_maps()) if (only.empty() || m.building == only || m.kind == only) maps.push_back(std::move(m));
+    for (DataMap& m : all_maps()) if (only.empty() || ("," + only + ",").find("," + m.building + ",") != std::string::npos || m.kind == only) maps.push_back(std::move(m));
     const std::size_t clut = only.empty() ? sim / 2 : 0;
     const auto rows = run_cases<EvalRow>(maps.size() + sim + clut, [&](std::size_t i) {
         if (i >= maps.size() + sim) {
@@ -372,13 +375,12 @@ int run_ceiling(const std::string& only) {
     const auto rows = run_cases<Ceiling>(maps.size(), [&](std::size_t at) {
         const DataMap& d = maps[at];
         const auto kept = inside(d.map, {}, kMinComponentM2);
-        const auto open = open_space(kept, d.map.resolution_m, RoomsOptions{}.max_furniture_m2);
+        const WallLines lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
+        const auto open = open_space(kept, d.map.resolution_m, RoomsOptions{}.max_furniture_m2, lines);
         const Raster<float> clearance = clearance_m(open, d.map.resolution_m);
         const Raster<float> free_clearance = clearance_m(kept, d.map.resolution_m);
         Basins basins = build_basins(free_clearance, d.map.resolution_m);
         Ceiling c{basins.count, 0, 0, 0, 0, 0};
-        WallLines lines;
-        lines = find_wall_lines(kept, d.map.resolution_m, 4.0);
         if (!lines.more_dm.values.empty()) basins.count = split_at_lines(lines, basins.labels);
         spread_labels(open, basins.labels);
         c.lines = basins.count;

@@ -28,7 +28,7 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
     const WallLines lines = find_wall_lines(known.free, grid.resolution_m, options.door_width_m, executor);
     const Raster<float> free_clearance = clearance_m(known.free, grid.resolution_m, executor);
     Raster<float> clearance = clearance_m(
-        open_space(std::move(known.free), grid.resolution_m, options.max_furniture_m2, executor),
+        open_space(std::move(known.free), grid.resolution_m, options.max_furniture_m2, lines, executor),
         grid.resolution_m, executor);
     const Layout layout = as_it_lies(grid.states.box());
     result.doors =

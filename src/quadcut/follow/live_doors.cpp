@@ -41,7 +41,7 @@ std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
         states.values[i] = there.free.values[i] != 0 ? CellState::free : CellState::occupied;
     }
     clearance = clearance_m(
-        open_space(std::move(there.free), resolution_m, options.max_furniture_m2, executor),
+        open_space(std::move(there.free), resolution_m, options.max_furniture_m2, lines, executor),
         resolution_m, executor);
     const Cell low = window.low;
     const Box wanted{{box.low.x - low.x, box.low.y - low.y},

@@ -180,10 +180,20 @@ Obstacles small_obstacles(const Raster<std::uint8_t>& free, double max_cells,
     return small;
 }
 
+bool is_mostly_in_line(const std::vector<std::size_t>& obstacle, const Raster<std::uint8_t>& free,
+                       const WallLines& lines) {
+    const auto num_in_line = std::count_if(obstacle.begin(), obstacle.end(), [&](std::size_t i) {
+        const Cell cell = free.cell(i);
+        return lines.is_wall({cell.x - free.origin.x + 0.5, cell.y - free.origin.y + 0.5});
+    });
+    return 2 * static_cast<std::size_t>(num_in_line) >= obstacle.size();
+}
+
 }  // namespace
 
 Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
-                                double max_furniture_m2, const Executor& executor) {
+                                double max_furniture_m2, const WallLines& lines,
+                                const Executor& executor) {
     const Obstacles small =
         small_obstacles(kept, max_furniture_m2 / (resolution_m * resolution_m), executor);
     std::vector<std::uint8_t> is_wall(small.size(), 0);
@@ -192,7 +202,8 @@ Raster<std::uint8_t> open_space(Raster<std::uint8_t> kept, double resolution_m,
         parallel_for(executor, small.size(), kObstaclesPerChunk,
                      [&](std::size_t first, std::size_t last) {
                          for (std::size_t i = first; i < last; ++i) {
-                             is_wall[i] = walls.is_pier(small[i]) ? 1 : 0;
+                             const bool is_in_line = is_mostly_in_line(small[i], kept, lines);
+                             is_wall[i] = is_in_line || walls.is_pier(small[i]) ? 1 : 0;
                          }
                      });
     }

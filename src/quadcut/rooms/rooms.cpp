@@ -79,7 +79,7 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     cut.free_clearance_m = clearance_m(floor.kept, floor.resolution_m, executor);
     cut.lines = find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
     Raster<std::uint8_t> open =
-        open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, executor);
+        open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, cut.lines, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     clock.begin("cut");
     Basins basins = build_basins(cut.free_clearance_m, floor.resolution_m, executor);

@@ -23,6 +23,8 @@ constexpr double kJoinedM = 0.35;
 constexpr double kMinWallM = 0.5;
 /// One that goes on up to something else than a wall is longer.
 constexpr double kMinWallAloneM = 1.2;
+/// From this length on pieces in line are a wall, whatever they are.
+constexpr double kMinPiecesM = 1.5;
 /// Of the length of a wall, at least this share is seen.
 constexpr double kMinSeen = 0.35;
 /// Of two lines nearer to each other the better one counts.
@@ -142,14 +144,21 @@ public:
         return {-along_.y * offset, along_.x * offset};
     }
     [[nodiscard]] const Point& along() const { return along_; }
-    void find_gaps(std::size_t direction, std::vector<Gap>& gaps) {
+    WallsAlong find_gaps(std::size_t direction, std::vector<Gap>& gaps) {
+        WallsAlong walls{along_, step_, lowest_, {}};
+        walls.bands.resize(first_.empty() ? 0 : first_.size() - 1);
         for (std::size_t k = 0; k + 1 < first_.size(); ++k) {
             const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_[k]);
             const auto end = places_.begin() + static_cast<std::ptrdiff_t>(first_[k + 1]);
             if (begin == end) continue;
             std::sort(begin, end);
-            add_gaps(runs_of(begin, end), direction, static_cast<std::int32_t>(k) + lowest_, gaps);
+            const std::vector<Run> runs = runs_of(begin, end);
+            add_gaps(runs, direction, static_cast<std::int32_t>(k) + lowest_, gaps);
+            for (const Run& run : runs) {
+                if (wall_m(run) >= kMinPiecesM) walls.bands[k].push_back({run.begin, run.end});
+            }
         }
+        return walls;
     }
 
 private:
@@ -289,13 +298,33 @@ private:
 
 }  // namespace
 
+bool WallsAlong::contains(const Point& at) const {
+    const double t = at.x * along.x + at.y * along.y;
+    const auto step =
+        static_cast<std::int32_t>(std::floor((at.y * along.x - at.x * along.y) / step_cells));
+    for (const std::int32_t band : {step - 1, step}) {
+        const auto k = static_cast<std::size_t>(band - lowest);
+        if (band < lowest || k >= bands.size()) continue;
+        const auto after = std::upper_bound(
+            bands[k].begin(), bands[k].end(), t,
+            [](double place, const Stretch& stretch) { return place < stretch.begin; });
+        if (after != bands[k].begin() && t <= std::prev(after)->end) return true;
+    }
+    return false;
+}
+
+bool WallLines::is_wall(const Point& at) const {
+    return std::any_of(walls.begin(), walls.end(),
+                       [&](const WallsAlong& along) { return along.contains(at); });
+}
+
 std::vector<double> main_directions(const Raster<std::uint8_t>& free, double resolution_m) {
     return directions_of(surfaces(free), resolution_m, std::hypot(free.width, free.height) + 2.0);
 }
 
 WallLines find_wall_lines(const Raster<std::uint8_t>& free, double resolution_m, double max_gap_m,
                           const Executor& executor) {
-    WallLines lines{Raster<std::uint8_t>(free.box()), Raster<std::uint8_t>(free.box())};
+    WallLines lines{{}, Raster<std::uint8_t>(free.box()), Raster<std::uint8_t>(free.box())};
     const std::vector<Point> points = surfaces(free);
     const std::vector<double> angles =
         directions_of(points, resolution_m, std::hypot(free.width, free.height) + 2.0);
@@ -306,8 +335,11 @@ WallLines find_wall_lines(const Raster<std::uint8_t>& free, double resolution_m,
         bands.emplace_back(points, Point{-along.y, along.x}, resolution_m, max_gap_m);
     }
     std::vector<std::vector<Gap>> found(bands.size());
+    lines.walls.resize(bands.size());
     parallel_for(executor, bands.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) bands[k].find_gaps(k, found[k]);
+        for (std::size_t k = first; k < last; ++k) {
+            lines.walls[k] = bands[k].find_gaps(k, found[k]);
+        }
     });
     std::vector<Gap> gaps;
     for (const auto& some : found) gaps.insert(gaps.end(), some.begin(), some.end());

@@ -5,17 +5,37 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/base/geometry.hpp"
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
 
 namespace quadcut {
 
-/// Where walls would go on: a free cell that lies in line with a wall, in a gap of it.
+/// Walls in one direction: stretches of bands across it, in cells.
+struct WallsAlong {
+    struct Stretch {
+        double begin = 0.0;
+        double end = 0.0;
+    };
+    Point along{1.0, 0.0};
+    double step_cells = 1.0;
+    std::int32_t lowest = 0;
+    /// By band from the lowest one on; ascending.
+    std::vector<std::vector<Stretch>> bands;
+
+    [[nodiscard]] bool contains(const Point& at) const;
+};
+
+/// Walls, and where they would go on: a free cell that lies in line with a wall, in a gap of it.
 struct WallLines {
+    std::vector<WallsAlong> walls;
     /// The walls at both ends of the gap, decimetres, at most 25 m; 0 off all lines. A wall that
     /// goes up to another one that crosses it has nothing at that end.
     Raster<std::uint8_t> less_dm;
     Raster<std::uint8_t> more_dm;
+
+    /// Whether an obstacle at this place, in cells, is a piece of a wall.
+    [[nodiscard]] bool is_wall(const Point& at) const;
 };
 
 /// The directions of a building, radians in 0 .. pi / 2, the strongest first: those in which the
