@@ -178,10 +178,10 @@ PreviousResult read_previous_result(const std::filesystem::path& folder) {
     return parse_label_png(read_file(image), display_name(image), std::move(legend), yaml_name);
 }
 
-EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
-                         const Raster<std::uint16_t>& labels) {
-    EarlierRooms earlier{Raster<std::uint16_t>(labels.box()), map.resolution_m,
-                         previous.legend.rooms, previous.legend.next_id};
+EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map) {
+    const Box cells = map.states.box();
+    EarlierRooms earlier{Raster<std::uint16_t>(cells), map.resolution_m, previous.legend.rooms,
+                         previous.legend.next_id};
     const MapKeys& keys = previous.legend.map_keys;
     const Pose old_from_new = compose(inverse(keys.map_from_image), map.map_from_image);
     const double scale = map.resolution_m / keys.resolution_m;
@@ -191,10 +191,10 @@ EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
     const double width = previous.labels.width;
     const double height = previous.labels.height;
     std::size_t to = 0;
-    for (std::int32_t row = 0; row < labels.height; ++row) {
-        const double v = labels.origin.y + row + 0.5;
-        for (std::int32_t column = 0; column < labels.width; ++column, ++to) {
-            const double u = labels.origin.x + column + 0.5;
+    for (std::int32_t row = 0; row < cells.height(); ++row) {
+        const double v = cells.low.y + row + 0.5;
+        for (std::int32_t column = 0; column < cells.width(); ++column, ++to) {
+            const double u = cells.low.x + column + 0.5;
             const double x = origin.x + step_x * u - step_y * v;
             const double y = origin.y + step_y * u + step_x * v;
             // Compared before they are made whole: another map may be anywhere.

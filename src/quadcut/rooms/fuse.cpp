@@ -25,8 +25,12 @@ double fuse_threshold(double granularity) {
     return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
 }
 
-Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor)
-    : regions_(regions), max_width_m_(max_width_m), executor_(executor) {
+Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
+             EarlierDecisions earlier)
+    : regions_(regions),
+      max_width_m_(max_width_m),
+      executor_(executor),
+      earlier_(std::move(earlier)) {
     regions_.measure_all(max_width_m_, executor_);
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
@@ -44,7 +48,9 @@ void Fuser::push(std::uint32_t a, std::uint32_t b) {
 double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     const Saddle& saddle = regions_.saddles(a).at(b);
     const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
-    return width_m > max_width_m_ ? kNoDoor : door_log_odds(regions_.measure(a, b));
+    return width_m > max_width_m_
+               ? kNoDoor
+               : door_log_odds(regions_.measure(a, b)) + earlier_.log_odds(regions_, a, b);
 }
 
 void Fuser::fuse_below(double min_log_odds) {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/rooms/regions.hpp"
 
@@ -20,9 +21,11 @@ namespace quadcut {
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
 class Fuser {
 public:
-    /// Openings that are wider than `max_width_m` separate nothing. The regions must outlive the
-    /// fuser, and nothing else may join them while it is in use.
-    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {});
+    /// Openings that are wider than `max_width_m` separate nothing. `earlier` counts beside what is
+    /// measured. The regions must outlive the fuser, and nothing else may join them while it is in
+    /// use.
+    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {},
+          EarlierDecisions earlier = {});
 
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
@@ -50,6 +53,7 @@ private:
     RegionGraph& regions_;
     double max_width_m_;
     Executor executor_;
+    EarlierDecisions earlier_;
     std::priority_queue<Candidate> queue_;
 };
 

@@ -50,6 +50,10 @@ public:
     /// The region that a piece has become part of; a region is named by one of its pieces.
     [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
     [[nodiscard]] bool is_region(std::uint32_t piece) const { return region_[piece] == piece; }
+    /// The pieces of a region.
+    [[nodiscard]] std::span<const std::uint32_t> members(std::uint32_t region) const {
+        return members_[region];
+    }
     [[nodiscard]] std::uint32_t num_pieces() const {
         return static_cast<std::uint32_t>(region_.size() - 1);
     }

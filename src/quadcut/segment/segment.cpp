@@ -71,8 +71,8 @@ Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, doubl
 }
 
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
-                           std::span<const Point> trajectory, StageClock& clock,
-                           const Executor& executor) {
+                           std::span<const Point> trajectory, const Raster<std::uint16_t>& earlier,
+                           StageClock& clock, const Executor& executor) {
     Segmentation result;
     clock.begin("inside");
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
@@ -80,9 +80,12 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     std::vector<Cell> way;
     if (drops_uncrossed(options)) way = visited_cells(map, trajectory);
     for (Cell& cell : way) cell = floor.layout.place_of(cell);
-    RoomsCut cut = cut_into_rooms(
-        {std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps},
-        options.rooms, clock, executor, hierarchy);
+    FloorToCut to_cut{
+        std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps};
+    if (!earlier.values.empty()) {
+        to_cut.earlier = laid_out<std::uint16_t>(earlier, floor.layout, 0, executor);
+    }
+    RoomsCut cut = cut_into_rooms(std::move(to_cut), options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     floor.free = {};
     if (options.with_hierarchy) {
@@ -154,11 +157,11 @@ Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options
 }  // namespace
 
 Segmentation segment(const GridMap& map, const SegmentOptions& options, const RunOptions& run,
-                     std::span<const Point> trajectory) {
+                     std::span<const Point> trajectory, const Raster<std::uint16_t>& earlier) {
     StageClock clock(run.on_stage);
     const Executor executor = run.executor();
     Segmentation result = options.preset == Preset::rooms
-                              ? segment_rooms(map, options, trajectory, clock, executor)
+                              ? segment_rooms(map, options, trajectory, earlier, clock, executor)
                               : segment_paper(map, options, trajectory, clock, executor);
     result.report.stages_ms = clock.finish();
     return result;

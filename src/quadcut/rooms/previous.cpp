@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#include "quadcut/rooms/previous.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "quadcut/map/flood.hpp"
+
+namespace quadcut {
+namespace {
+
+/// The pieces in which rooms met.
+std::vector<bool> mixed_pieces(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                               const Raster<std::uint16_t>& earlier) {
+    std::vector<std::uint16_t> room(num_pieces + std::size_t{1}, 0);
+    std::vector<bool> is_mixed(room.size(), false);
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        const std::uint32_t piece = pieces.values[i];
+        if (piece == 0 || earlier.values[i] == 0) continue;
+        if (room[piece] == 0) room[piece] = earlier.values[i];
+        if (room[piece] != earlier.values[i]) is_mixed[piece] = true;
+    }
+    return is_mixed;
+}
+
+}  // namespace
+
+std::uint32_t cut_where_rooms_met(Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                                  const Raster<std::uint16_t>& earlier) {
+    const std::vector<bool> is_mixed = mixed_pieces(pieces, num_pieces, earlier);
+    // Outward from what was known, in all mixed pieces at once.
+    std::vector<std::size_t> front;
+    std::map<std::size_t, std::uint16_t> room_of_cell;
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        if (!is_mixed[pieces.values[i]] || earlier.values[i] == 0) continue;
+        front.push_back(i);
+        room_of_cell[i] = earlier.values[i];
+    }
+    for (std::size_t at = 0; at < front.size(); ++at) {
+        const std::size_t cell = front[at];
+        for (const std::size_t next : Neighbours(pieces, cell, Connectivity::four)) {
+            if (pieces.values[next] != pieces.values[cell]) continue;
+            if (room_of_cell.emplace(next, room_of_cell.at(cell)).second) front.push_back(next);
+        }
+    }
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> number;
+    std::vector<bool> is_used(num_pieces + std::size_t{1}, false);
+    for (const auto& [cell, room] : room_of_cell) {
+        const std::uint32_t piece = pieces.values[cell];
+        const auto [part, is_new] = number.try_emplace({piece, room}, piece);
+        if (is_new && is_used[piece]) part->second = ++num_pieces;
+        if (is_new) is_used[piece] = true;
+        pieces.values[cell] = part->second;
+    }
+    return num_pieces;
+}
+
+EarlierDecisions::EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                                   const Raster<std::uint16_t>& earlier)
+    : pieces_(num_pieces + std::size_t{1}) {
+    for (std::size_t i = 0; i < pieces.values.size(); ++i) {
+        Before& piece = pieces_[pieces.values[i]];
+        ++piece.num_cells;
+        if (earlier.values[i] == 0) continue;
+        piece.room = earlier.values[i];
+        ++piece.num_known;
+    }
+}
+
+const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regions,
+                                                         std::uint32_t region) {
+    const auto [at, is_new] = regions_.try_emplace(region);
+    auto& [version, before] = at->second;
+    if (!is_new && version == regions.version(region)) return before;
+    version = regions.version(region);
+    std::map<std::uint16_t, std::size_t> num_cells;
+    before = {};
+    for (const std::uint32_t member : regions.members(region)) {
+        const Before& piece = pieces_[member];
+        before.num_cells += piece.num_cells;
+        num_cells[piece.room] += piece.num_known;
+    }
+    for (const auto& [room, count] : num_cells) {
+        if (room == 0 || count <= before.num_known) continue;
+        before.room = room;
+        before.num_known = count;
+    }
+    return before;
+}
+
+double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, std::uint32_t b) {
+    if (is_empty()) return 0.0;
+    static const double kStrength =
+        std::getenv("QS") != nullptr ? std::atof(std::getenv("QS")) : 4.0;
+    static const double kShare = std::getenv("QH") != nullptr ? std::atof(std::getenv("QH")) : 0.5;
+    const auto known_share = [&](const Before& before) {
+        return std::min(1.0, static_cast<double>(before.num_known) /
+                                 (kShare * static_cast<double>(before.num_cells)));
+    };
+    const Before was_a = before(regions, a);
+    const Before was_b = before(regions, b);
+    if (was_a.room == 0 || was_b.room == 0) return 0.0;
+    const double strength = kStrength * std::min(known_share(was_a), known_share(was_b));
+    return was_a.room == was_b.room ? -strength : strength;
+}
+
+}  // namespace quadcut

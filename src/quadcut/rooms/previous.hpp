@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The quadcut developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/region_graph.hpp"
+
+namespace quadcut {
+
+/// Cuts pieces (labels 1 .. num_pieces) where rooms of an earlier result met in them, so that a
+/// border can stay where it was; returns how many there are now. New floor in such a piece goes
+/// with the earlier room that is nearest inside of the piece. O(cells).
+/// @pre both rasters cover the same rectangle; 0 = no earlier room.
+[[nodiscard]] std::uint32_t cut_where_rooms_met(Raster<std::uint32_t>& pieces,
+                                                std::uint32_t num_pieces,
+                                                const Raster<std::uint16_t>& earlier);
+
+/// What an earlier result says about cuts between regions (docs/decisions/0026-hysteresis.md).
+class EarlierDecisions {
+public:
+    /// Says nothing.
+    EarlierDecisions() = default;
+    /// As cut_where_rooms_met(), whose pieces these are.
+    EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
+                     const Raster<std::uint16_t>& earlier);
+
+    /// To be added to the log-odds of a cut between two regions: more than 0 where most of what was
+    /// known of them then was in two rooms, less where it was in one; the less the more of them is
+    /// new. 0 where one of them is new.
+    [[nodiscard]] double log_odds(const RegionGraph& regions, std::uint32_t a, std::uint32_t b);
+    /// The earlier room of a piece; 0 = none, or nothing is known.
+    [[nodiscard]] std::uint16_t room_of(std::uint32_t piece) const {
+        return is_empty() ? std::uint16_t{0} : pieces_[piece].room;
+    }
+    [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
+
+private:
+    /// The earlier room of a piece or of most of a region; 0 = none.
+    struct Before {
+        std::uint16_t room = 0;
+        std::size_t num_cells = 0;
+        std::size_t num_known = 0;
+    };
+    [[nodiscard]] const Before& before(const RegionGraph& regions, std::uint32_t region);
+
+    std::vector<Before> pieces_;
+    /// By region, with the number of joins it had seen then.
+    std::map<std::uint32_t, std::pair<std::uint32_t, Before>> regions_;
+};
+
+}  // namespace quadcut
