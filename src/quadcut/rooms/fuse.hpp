@@ -58,8 +58,10 @@ private:
 };
 
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
-/// saddle, smallest first. What has no neighbour stays.
-void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m);
+/// saddle, smallest first; if it can, one that it was not apart from earlier. What has no neighbour
+/// stays.
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m,
+                        EarlierDecisions earlier = {});
 
 /// The regions that are no rooms of their own, and the region that each belongs to: of enclosures
 /// that one region is all around of, if that has twice the area.

@@ -23,6 +23,7 @@ void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::
 /// InputError when there are more than 65535 regions. O(cells, and what fusing costs).
 [[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
                                         double max_width_m,
-                                        std::span<const Enclosure> enclosures = {});
+                                        std::span<const Enclosure> enclosures = {},
+                                        EarlierDecisions earlier = {});
 
 }  // namespace quadcut

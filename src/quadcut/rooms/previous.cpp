@@ -3,13 +3,21 @@
 #include "quadcut/rooms/previous.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "quadcut/map/flood.hpp"
 
 namespace quadcut {
 namespace {
+
+/// In log-odds: the evidence that it takes to decide otherwise than before.
+constexpr double kStrength = 5.0;
+/// Of a region of which less was known then, a part of that only.
+constexpr double kKnownShare = 0.75;
+/// What was in no room, though it was known.
+constexpr std::uint32_t kNoRoom = 65536;
+/// A room, or a whole result, of which less is free now is not of this place.
+constexpr double kStillFree = 0.75;
 
 /// The pieces in which rooms met.
 std::vector<bool> mixed_pieces(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
@@ -26,6 +34,31 @@ std::vector<bool> mixed_pieces(const Raster<std::uint32_t>& pieces, std::uint32_
 }
 
 }  // namespace
+
+Raster<std::uint16_t> rooms_still_there(Raster<std::uint16_t> earlier,
+                                        const Raster<CellState>& states) {
+    struct Count {
+        std::size_t num_cells = 0;
+        std::size_t num_free = 0;
+        [[nodiscard]] bool is_there() const {
+            return static_cast<double>(num_free) >= kStillFree * static_cast<double>(num_cells);
+        }
+    };
+    Count all;
+    std::map<std::uint16_t, Count> rooms;
+    for (std::size_t i = 0; i < earlier.values.size(); ++i) {
+        if (earlier.values[i] == 0) continue;
+        for (Count* count : {&all, &rooms[earlier.values[i]]}) {
+            ++count->num_cells;
+            if (states.values[i] == CellState::free) ++count->num_free;
+        }
+    }
+    if (!all.is_there()) return {};
+    for (std::uint16_t& room : earlier.values) {
+        if (room != 0 && !rooms.at(room).is_there()) room = 0;
+    }
+    return earlier;
+}
 
 std::uint32_t cut_where_rooms_met(Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                                   const Raster<std::uint16_t>& earlier) {
@@ -58,14 +91,22 @@ std::uint32_t cut_where_rooms_met(Raster<std::uint32_t>& pieces, std::uint32_t n
 }
 
 EarlierDecisions::EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                                   const Raster<std::uint16_t>& earlier)
+                                   const Raster<std::uint16_t>& earlier,
+                                   const Raster<std::uint8_t>& free)
     : pieces_(num_pieces + std::size_t{1}) {
+    std::vector<bool> has_floor(pieces_.size(), false);
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
         Before& piece = pieces_[pieces.values[i]];
         ++piece.num_cells;
+        if (free.values[i] != 0) has_floor[pieces.values[i]] = true;
         if (earlier.values[i] == 0) continue;
         piece.room = earlier.values[i];
         ++piece.num_known;
+    }
+    for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
+        Before& before = pieces_[piece];
+        if (!has_floor[piece] && before.room == 0)
+            before = {kNoRoom, before.num_cells, before.num_cells};
     }
 }
 
@@ -75,7 +116,7 @@ const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regi
     auto& [version, before] = at->second;
     if (!is_new && version == regions.version(region)) return before;
     version = regions.version(region);
-    std::map<std::uint16_t, std::size_t> num_cells;
+    std::map<std::uint32_t, std::size_t> num_cells;
     before = {};
     for (const std::uint32_t member : regions.members(region)) {
         const Before& piece = pieces_[member];
@@ -92,18 +133,21 @@ const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regi
 
 double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, std::uint32_t b) {
     if (is_empty()) return 0.0;
-    static const double kStrength =
-        std::getenv("QS") != nullptr ? std::atof(std::getenv("QS")) : 4.0;
-    static const double kShare = std::getenv("QH") != nullptr ? std::atof(std::getenv("QH")) : 0.5;
     const auto known_share = [&](const Before& before) {
         return std::min(1.0, static_cast<double>(before.num_known) /
-                                 (kShare * static_cast<double>(before.num_cells)));
+                                 (kKnownShare * static_cast<double>(before.num_cells)));
     };
     const Before was_a = before(regions, a);
     const Before was_b = before(regions, b);
     if (was_a.room == 0 || was_b.room == 0) return 0.0;
     const double strength = kStrength * std::min(known_share(was_a), known_share(was_b));
-    return was_a.room == was_b.room ? -strength : strength;
+    return was_a.room == was_b.room ? -strength_against_ * strength : strength;
+}
+
+EarlierDecisions EarlierDecisions::for_cuts_only() const {
+    EarlierDecisions decisions = *this;
+    decisions.strength_against_ = 0.0;
+    return decisions;
 }
 
 }  // namespace quadcut

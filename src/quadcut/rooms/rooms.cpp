@@ -41,8 +41,9 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options,
                      const EarlierDecisions& earlier, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
-    Fuser(regions, options.door_width_m, executor, earlier).fuse_below(fuse_threshold(1.0));
-    fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
+    Fuser(regions, options.door_width_m, executor, earlier.for_cuts_only())
+        .fuse_below(fuse_threshold(1.0));
+    fuse_small_regions(regions, options.min_room_m2, options.min_passable_m, earlier);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
     const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
@@ -62,7 +63,7 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options,
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
-                                     adoption.enclosures);
+                                     adoption.enclosures, earlier);
     }
     if (floor.least_rooms != 0) {
         Fuser fuser(regions, options.door_width_m, executor, earlier);
@@ -89,7 +90,7 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     EarlierDecisions earlier;
     if (!floor.earlier.values.empty()) {
         cut.num_pieces = cut_where_rooms_met(cut.rooms, cut.num_pieces, floor.earlier);
-        earlier = EarlierDecisions(cut.rooms, cut.num_pieces, floor.earlier);
+        earlier = EarlierDecisions(cut.rooms, cut.num_pieces, floor.earlier, floor.free);
     }
     // A whole map may be so large that there is no room for both.
     const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;

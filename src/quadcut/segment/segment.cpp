@@ -17,6 +17,7 @@
 #include "quadcut/paper/visibility.hpp"
 #include "quadcut/rooms/describe.hpp"
 #include "quadcut/rooms/doors.hpp"
+#include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
 #include "quadcut/segment/inside.hpp"
@@ -83,7 +84,14 @@ Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
     FloorToCut to_cut{
         std::move(floor.kept), floor.free, map.resolution_m, {}, options.paper.num_submaps};
     if (!earlier.values.empty()) {
-        to_cut.earlier = laid_out<std::uint16_t>(earlier, floor.layout, 0, executor);
+        const Raster<std::uint16_t> there = rooms_still_there(earlier, map.states);
+        if (there.values.empty()) {
+            result.report.warnings.emplace_back(
+                "a quarter of the earlier result's floor or more is not free in this map, so that "
+                "it is no evidence: are both in the same map frame?");
+        } else {
+            to_cut.earlier = laid_out<std::uint16_t>(there, floor.layout, 0, executor);
+        }
     }
     RoomsCut cut = cut_into_rooms(std::move(to_cut), options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
