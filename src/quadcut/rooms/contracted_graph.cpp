@@ -51,7 +51,7 @@ ContractedGraph contract(const RegionGraph& regions) {
 void join_pieces(RegionGraph& regions, const ContractedGraph& contracted, const Pieces& pieces,
                  const EarlierDecisions& earlier) {
     // Of each piece, by the earlier room.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> heir;
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> heir;
     for (std::size_t node = 0; node < contracted.region_of_node.size(); ++node) {
         const std::uint32_t region = contracted.region_of_node[node];
         const auto [own, is_first] =

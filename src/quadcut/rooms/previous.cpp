@@ -14,8 +14,6 @@ namespace {
 constexpr double kStrength = 5.0;
 /// Of a region of which less was known then, a part of that only.
 constexpr double kKnownShare = 0.75;
-/// What was in no room, though it was known.
-constexpr std::uint32_t kNoRoom = 65536;
 /// A room, or a whole result, of which less is free now is not of this place.
 constexpr double kStillFree = 0.75;
 
@@ -91,22 +89,14 @@ std::uint32_t cut_where_rooms_met(Raster<std::uint32_t>& pieces, std::uint32_t n
 }
 
 EarlierDecisions::EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                                   const Raster<std::uint16_t>& earlier,
-                                   const Raster<std::uint8_t>& free)
+                                   const Raster<std::uint16_t>& earlier)
     : pieces_(num_pieces + std::size_t{1}) {
-    std::vector<bool> has_floor(pieces_.size(), false);
     for (std::size_t i = 0; i < pieces.values.size(); ++i) {
         Before& piece = pieces_[pieces.values[i]];
         ++piece.num_cells;
-        if (free.values[i] != 0) has_floor[pieces.values[i]] = true;
         if (earlier.values[i] == 0) continue;
         piece.room = earlier.values[i];
         ++piece.num_known;
-    }
-    for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
-        Before& before = pieces_[piece];
-        if (!has_floor[piece] && before.room == 0)
-            before = {kNoRoom, before.num_cells, before.num_cells};
     }
 }
 
@@ -116,7 +106,7 @@ const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regi
     auto& [version, before] = at->second;
     if (!is_new && version == regions.version(region)) return before;
     version = regions.version(region);
-    std::map<std::uint32_t, std::size_t> num_cells;
+    std::map<std::uint16_t, std::size_t> num_cells;
     before = {};
     for (const std::uint32_t member : regions.members(region)) {
         const Before& piece = pieces_[member];

@@ -34,10 +34,9 @@ class EarlierDecisions {
 public:
     /// Says nothing.
     EarlierDecisions() = default;
-    /// As cut_where_rooms_met(), whose pieces these are. Furniture that was in no room (a piece
-    /// without a cell that is 1 in `free`) was apart from all.
+    /// As cut_where_rooms_met(), whose pieces these are.
     EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                     const Raster<std::uint16_t>& earlier, const Raster<std::uint8_t>& free);
+                     const Raster<std::uint16_t>& earlier);
 
     /// To be added to the log-odds of a cut between two regions: more than 0 where most of what was
     /// known of them then was in two rooms, less where it was in one; the less the more of them is
@@ -46,15 +45,15 @@ public:
     /// The same, but it never speaks against a cut: for regions finer than rooms.
     [[nodiscard]] EarlierDecisions for_cuts_only() const;
     /// The earlier room of a piece; 0 = none, or nothing is known.
-    [[nodiscard]] std::uint32_t room_of(std::uint32_t piece) const {
-        return is_empty() ? 0 : pieces_[piece].room;
+    [[nodiscard]] std::uint16_t room_of(std::uint32_t piece) const {
+        return is_empty() ? std::uint16_t{0} : pieces_[piece].room;
     }
     [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
 
 private:
     /// The earlier room of a piece or of most of a region; 0 = none.
     struct Before {
-        std::uint32_t room = 0;
+        std::uint16_t room = 0;
         std::size_t num_cells = 0;
         std::size_t num_known = 0;
     };

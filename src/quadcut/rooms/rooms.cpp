@@ -90,7 +90,7 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     EarlierDecisions earlier;
     if (!floor.earlier.values.empty()) {
         cut.num_pieces = cut_where_rooms_met(cut.rooms, cut.num_pieces, floor.earlier);
-        earlier = EarlierDecisions(cut.rooms, cut.num_pieces, floor.earlier, floor.free);
+        earlier = EarlierDecisions(cut.rooms, cut.num_pieces, floor.earlier);
     }
     // A whole map may be so large that there is no room for both.
     const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;

@@ -65,12 +65,11 @@ struct Floor {
     Raster<float> clearance;
     RegionGraph regions;
     EarlierDecisions earlier;
-    Floor(const Rows& drawn, std::uint32_t count, const Rows& rooms, int free = 1)
+    Floor(const Rows& drawn, std::uint32_t count, const Rows& rooms)
         : pieces(test::drawn_labels(drawn)),
           clearance(pieces.box(), 0.5F),
           regions(pieces, count, clearance, 0.05),
-          earlier(pieces, count, drawn_rooms(rooms),
-                  Raster<std::uint8_t>(pieces.box(), static_cast<std::uint8_t>(free))) {}
+          earlier(pieces, count, drawn_rooms(rooms)) {}
 };
 
 TEST(EarlierRooms, SpeakForTheCutThatWasThereAndAgainstAnother) {
@@ -85,12 +84,6 @@ TEST(EarlierRooms, SpeakForTheCutThatWasThereAndAgainstAnother) {
     EXPECT_TRUE(none.is_empty());
     EXPECT_EQ(none.log_odds(floor.regions, 1, 2), 0.0);
     EXPECT_EQ(none.room_of(1), 0U);
-}
-
-TEST(EarlierRooms, FurnitureThatWasInNoRoomStaysApart) {
-    Floor furniture({"aaaabbbbcccc"}, 3, {"xxxx........"}, 0);
-    EXPECT_GT(furniture.earlier.log_odds(furniture.regions, 1, 2), 3.0);
-    EXPECT_LT(furniture.earlier.log_odds(furniture.regions, 2, 3), -3.0);
 }
 
 TEST(EarlierRooms, SayLessTheMoreIsNew) {
