@@ -11,9 +11,7 @@ namespace quadcut {
 namespace {
 
 /// In log-odds: the evidence that it takes to decide otherwise than before.
-constexpr double kStrength = 5.0;
-/// Of a region of which less was known then, a part of that only.
-constexpr double kKnownShare = 0.75;
+constexpr double kStrength = 6.0;
 /// A room, or a whole result, of which less is free now is not of this place.
 constexpr double kStillFree = 0.75;
 
@@ -123,9 +121,8 @@ const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regi
 
 double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, std::uint32_t b) {
     if (is_empty()) return 0.0;
-    const auto known_share = [&](const Before& before) {
-        return std::min(1.0, static_cast<double>(before.num_known) /
-                                 (kKnownShare * static_cast<double>(before.num_cells)));
+    const auto known_share = [](const Before& before) {
+        return static_cast<double>(before.num_known) / static_cast<double>(before.num_cells);
     };
     const Before was_a = before(regions, a);
     const Before was_b = before(regions, b);
