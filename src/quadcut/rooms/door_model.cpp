@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "quadcut/rooms/door_trees.hpp"
 
@@ -56,6 +57,20 @@ std::array<FlatTree, kDoorTrees.size()> flat_trees() {
         (void)flatten(kDoorTrees[i], 0, flat[i]);
     }
     return flat;
+}
+
+/// Over the leaves below what a branch leads to: their sum, and how many they are.
+std::pair<double, int> leaves_under(const DoorTree& tree, int next) {
+    if (next <= 0) return {tree.leaves[static_cast<std::size_t>(-next)], 1};
+    const DoorBranch& branch = tree.branches[static_cast<std::size_t>(next)];
+    const auto [below, num_below] = leaves_under(tree, branch.below);
+    const auto [above, num_above] = leaves_under(tree, branch.above);
+    return {below + above, num_below + num_above};
+}
+
+double mean_under(const DoorTree& tree, int next) {
+    const auto [sum, count] = leaves_under(tree, next);
+    return sum / count;
 }
 
 }  // namespace
@@ -120,6 +135,27 @@ double door_log_odds(const Narrowing& narrowing) {
             static_cast<double>(tree.leaves[static_cast<std::size_t>(std::countr_zero(leaves))]);
     }
     return log_odds;
+}
+
+std::array<double, kNumDoorCues> door_contributions(const Narrowing& narrowing) {
+    const std::array<float, kNumDoorCues> cues = door_cues(narrowing);
+    std::array<double, kNumDoorCues> contributions{};
+    for (const DoorTree& tree : kDoorTrees) {
+        const DoorBranch* branch = &tree.branches[0];
+        double mean = (leaves_under(tree, branch->below).first +
+                       leaves_under(tree, branch->above).first) /
+                      (leaves_under(tree, branch->below).second +
+                       leaves_under(tree, branch->above).second);
+        while (branch->below != branch->above) {
+            const int next = cues[branch->cue] <= branch->threshold ? branch->below : branch->above;
+            const double mean_after = mean_under(tree, next);
+            contributions[branch->cue] += mean_after - mean;
+            mean = mean_after;
+            if (next <= 0) break;
+            branch = &tree.branches[static_cast<std::size_t>(next)];
+        }
+    }
+    return contributions;
 }
 
 }  // namespace quadcut
