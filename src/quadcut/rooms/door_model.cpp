@@ -142,10 +142,9 @@ std::array<double, kNumDoorCues> door_contributions(const Narrowing& narrowing) 
     std::array<double, kNumDoorCues> contributions{};
     for (const DoorTree& tree : kDoorTrees) {
         const DoorBranch* branch = &tree.branches[0];
-        double mean = (leaves_under(tree, branch->below).first +
-                       leaves_under(tree, branch->above).first) /
-                      (leaves_under(tree, branch->below).second +
-                       leaves_under(tree, branch->above).second);
+        double mean =
+            (leaves_under(tree, branch->below).first + leaves_under(tree, branch->above).first) /
+            (leaves_under(tree, branch->below).second + leaves_under(tree, branch->above).second);
         while (branch->below != branch->above) {
             const int next = cues[branch->cue] <= branch->threshold ? branch->below : branch->above;
             const double mean_after = mean_under(tree, next);

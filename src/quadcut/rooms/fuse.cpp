@@ -27,6 +27,10 @@ double fuse_threshold(double granularity) {
     return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
 }
 
+double granularity_from(double log_odds) {
+    return 0.5 - (log_odds - kDefaultLogOdds) / kLogOddsOfGranularity;
+}
+
 Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
              EarlierDecisions earlier)
     : regions_(regions),

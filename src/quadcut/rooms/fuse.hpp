@@ -17,6 +17,8 @@ namespace quadcut {
 
 /// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many).
 [[nodiscard]] double fuse_threshold(double granularity);
+/// The granularity from which on a cut of such log-odds is kept; it may be beyond 0 .. 1.
+[[nodiscard]] double granularity_from(double log_odds);
 
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
 class Fuser {

@@ -110,6 +110,7 @@ std::size_t RegionGraph::num_saddles() const {
 }
 
 void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
+    if (watcher_) watcher_(a, b);
     for (const auto& [other, saddle] : saddles_[a]) forget_if_met(a, other, b);
     for (const auto& [other, saddle] : saddles_[b]) forget_if_met(b, other, a);
     for (const std::uint32_t piece : members_[b]) region_[piece] = a;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -77,6 +78,10 @@ public:
     /// What a piece has beyond the raster, of which it is a part. @pre nothing was joined yet.
     void add_beyond(std::uint32_t piece, const Beyond& beyond);
 
+    /// Told of each join while both regions are there still: for whoever notes decisions.
+    void watch_joins(std::function<void(std::uint32_t a, std::uint32_t b)> watcher) {
+        watcher_ = std::move(watcher);
+    }
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
 
@@ -122,6 +127,7 @@ private:
     void measure(std::span<const Unmeasured> saddles, const Executor& executor);
     void describe(std::uint32_t a, std::uint32_t b, Narrowing& narrowing) const;
 
+    std::function<void(std::uint32_t a, std::uint32_t b)> watcher_;
     const Raster<std::uint32_t>& pieces_;
     const Raster<float>& clearance_;
     double resolution_m_;

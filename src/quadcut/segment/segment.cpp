@@ -20,6 +20,7 @@
 #include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
+#include "quadcut/segment/floor.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/reading_order.hpp"
@@ -48,27 +49,6 @@ void complete(Raster<std::uint32_t> labels, Raster<float> clearance, const GridM
         result.labels.values[to] = static_cast<std::uint16_t>(labels.values[from]);
     });
     number_in_reading_order(result, map, executor);
-}
-
-/// What is cut: connected free space, without specks and without the ground outside, laid out so
-/// that the result does not depend on how the map lies.
-struct Floor {
-    Layout layout;
-    Raster<std::uint8_t> kept;
-    Raster<std::uint8_t> free;
-};
-
-Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, double min_component_m2,
-                    const Executor& executor) {
-    Floor floor;
-    const Raster<std::uint8_t> kept = inside(map, trajectory, min_component_m2, executor);
-    floor.layout = standard_layout(kept, executor);
-    floor.kept = laid_out<std::uint8_t>(kept, floor.layout, 0, executor);
-    floor.free = Raster<std::uint8_t>(floor.kept.box(), 0, executor);
-    for_each_laid_out(map.states, floor.layout, executor, [&](std::size_t to, std::size_t from) {
-        floor.free.values[to] = map.states.values[from] == CellState::free ? 1 : 0;
-    });
-    return floor;
 }
 
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
