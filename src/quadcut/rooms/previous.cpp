@@ -29,6 +29,37 @@ std::vector<bool> mixed_pieces(const Raster<std::uint32_t>& pieces, std::uint32_
     return is_mixed;
 }
 
+/// Looks along rows or columns for what was a room's floor and is none now, between two pieces.
+class NewWalls {
+public:
+    NewWalls(const Raster<std::uint32_t>& pieces, const Raster<std::uint16_t>& earlier)
+        : pieces_(pieces), earlier_(earlier) {}
+
+    void look_along(std::size_t first, std::size_t step, std::size_t count) {
+        std::uint32_t last = 0;
+        bool is_wall = false;
+        for (std::size_t k = 0, i = first; k < count; ++k, i += step) {
+            const std::uint32_t piece = pieces_.values[i];
+            if (piece != 0) {
+                if (is_wall && last != 0 && last != piece) ++num_lines_[std::minmax(last, piece)];
+                last = piece;
+            } else if (earlier_.values[i] == 0) {
+                last = 0;
+            }
+            is_wall = piece == 0;
+        }
+    }
+    [[nodiscard]] const std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>& num_lines()
+        const {
+        return num_lines_;
+    }
+
+private:
+    const Raster<std::uint32_t>& pieces_;
+    const Raster<std::uint16_t>& earlier_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> num_lines_;
+};
+
 }  // namespace
 
 Raster<std::uint16_t> rooms_still_there(Raster<std::uint16_t> earlier,
@@ -96,6 +127,28 @@ EarlierDecisions::EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uin
         piece.room = earlier.values[i];
         ++piece.num_known;
     }
+    NewWalls walls(pieces, earlier);
+    const auto width = static_cast<std::size_t>(pieces.width);
+    const auto height = static_cast<std::size_t>(pieces.height);
+    for (std::size_t y = 0; y < height; ++y) walls.look_along(y * width, 1, width);
+    for (std::size_t x = 0; x < width; ++x) walls.look_along(x, width, height);
+    for (const auto& [pair, num_lines] : walls.num_lines()) {
+        new_walls_.push_back({pair.first, pair.second, num_lines});
+    }
+}
+
+/// Of the border between two regions that were one room, how much is open still.
+double EarlierDecisions::open_share(const RegionGraph& regions, std::uint32_t a,
+                                    std::uint32_t b) const {
+    const auto num_open = static_cast<double>(regions.saddles(a).at(b).num_contacts);
+    double num_closed = 0.0;
+    for (const NewWall& wall : new_walls_) {
+        const std::uint32_t p = regions.region_of(wall.a);
+        const std::uint32_t q = regions.region_of(wall.b);
+        const bool is_between = (p == a && q == b) || (p == b && q == a);
+        if (is_between) num_closed += static_cast<double>(wall.num_lines);
+    }
+    return num_open / (num_open + num_closed);
 }
 
 const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regions,
@@ -128,12 +181,13 @@ double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, s
     const Before was_b = before(regions, b);
     if (was_a.room == 0 || was_b.room == 0) return 0.0;
     const double strength = kStrength * std::min(known_share(was_a), known_share(was_b));
-    return was_a.room == was_b.room ? -strength_against_ * strength : strength;
+    if (was_a.room != was_b.room) return strength;
+    return is_for_cuts_ ? 0.0 : -strength * open_share(regions, a, b);
 }
 
 EarlierDecisions EarlierDecisions::for_cuts_only() const {
     EarlierDecisions decisions = *this;
-    decisions.strength_against_ = 0.0;
+    decisions.is_for_cuts_ = true;
     return decisions;
 }
 

@@ -34,13 +34,13 @@ class EarlierDecisions {
 public:
     /// Says nothing.
     EarlierDecisions() = default;
-    /// As cut_where_rooms_met(), whose pieces these are.
+    /// As cut_where_rooms_met(), whose pieces these are. O(cells).
     EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
                      const Raster<std::uint16_t>& earlier);
 
     /// To be added to the log-odds of a cut between two regions: more than 0 where most of what was
     /// known of them then was in two rooms, less where it was in one; the less the more of them is
-    /// new. 0 where one of them is new.
+    /// new, and the more of the border in one room is a wall now. 0 where one of them is new.
     [[nodiscard]] double log_odds(const RegionGraph& regions, std::uint32_t a, std::uint32_t b);
     /// The same, but it never speaks against a cut: for regions finer than rooms.
     [[nodiscard]] EarlierDecisions for_cuts_only() const;
@@ -57,10 +57,19 @@ private:
         std::size_t num_cells = 0;
         std::size_t num_known = 0;
     };
+    /// What was floor of a room and is none now, between two pieces: so many lines of cells.
+    struct NewWall {
+        std::uint32_t a = 0;
+        std::uint32_t b = 0;
+        std::size_t num_lines = 0;
+    };
+    [[nodiscard]] double open_share(const RegionGraph& regions, std::uint32_t a,
+                                    std::uint32_t b) const;
     [[nodiscard]] const Before& before(const RegionGraph& regions, std::uint32_t region);
 
     std::vector<Before> pieces_;
-    double strength_against_ = 1.0;
+    std::vector<NewWall> new_walls_;
+    bool is_for_cuts_ = false;
     /// By region, with the number of joins it had seen then.
     std::map<std::uint32_t, std::pair<std::uint32_t, Before>> regions_;
 };

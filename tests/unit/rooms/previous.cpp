@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #include "quadcut/rooms/previous.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,20 @@ TEST(EarlierRooms, SayLessTheMoreIsNew) {
     const double less = partly.earlier.log_odds(partly.regions, 1, 2);
     EXPECT_GT(less, 0.0);
     EXPECT_LT(less, 0.5 * all);
+}
+
+TEST(EarlierRooms, SayLittleWhereAWallHasAppeared) {
+    const Rows rooms{"xxxxxxxxx", "xxxxxxxxx", "xxxxxxxxx", "xxxxxxxxx"};
+    Floor open({"aaaaabbbb", "aaaaabbbb", "aaaaabbbb", "aaaaabbbb"}, 2, rooms);
+    Floor walled({"aaaa.bbbb", "aaaaabbbb", "aaaa.bbbb", "aaaa.bbbb"}, 2, rooms);
+    const double before = open.earlier.log_odds(open.regions, 1, 2);
+    const double now = walled.earlier.log_odds(walled.regions, 1, 2);
+    EXPECT_LT(before, 0.0);
+    EXPECT_NEAR(now, before / 4.0, 0.3 * std::abs(before) / 4.0);
+    // It was there before, and is no change.
+    Floor old({"aaaa.bbbb", "aaaaabbbb", "aaaa.bbbb", "aaaa.bbbb"}, 2,
+              {"xxxx.xxxx", "xxxxxxxxx", "xxxx.xxxx", "xxxx.xxxx"});
+    EXPECT_EQ(old.earlier.log_odds(old.regions, 1, 2), before);
 }
 
 TEST(EarlierRooms, OfARegionItIsTheRoomOfMostOfIt) {
