@@ -12,6 +12,9 @@ namespace {
 
 /// In log-odds: the evidence that it takes to decide otherwise than before.
 constexpr double kStrength = 6.0;
+/// A border in one room of which so little is open still is a wall; so much is no change.
+constexpr double kWall = 0.3;
+constexpr double kOpen = 0.55;
 /// A room, or a whole result, of which less is free now is not of this place.
 constexpr double kStillFree = 0.75;
 
@@ -137,9 +140,9 @@ EarlierDecisions::EarlierDecisions(const Raster<std::uint32_t>& pieces, std::uin
     }
 }
 
-/// Of the border between two regions that were one room, how much is open still.
-double EarlierDecisions::open_share(const RegionGraph& regions, std::uint32_t a,
-                                    std::uint32_t b) const {
+/// Whether the border between two regions that were one room is open still: 0 no, 1 yes.
+double EarlierDecisions::openness(const RegionGraph& regions, std::uint32_t a,
+                                  std::uint32_t b) const {
     const auto num_open = static_cast<double>(regions.saddles(a).at(b).num_contacts);
     double num_closed = 0.0;
     for (const NewWall& wall : new_walls_) {
@@ -148,7 +151,8 @@ double EarlierDecisions::open_share(const RegionGraph& regions, std::uint32_t a,
         const bool is_between = (p == a && q == b) || (p == b && q == a);
         if (is_between) num_closed += static_cast<double>(wall.num_lines);
     }
-    return num_open / (num_open + num_closed);
+    const double share = num_open / (num_open + num_closed);
+    return std::clamp((share - kWall) / (kOpen - kWall), 0.0, 1.0);
 }
 
 const EarlierDecisions::Before& EarlierDecisions::before(const RegionGraph& regions,
@@ -182,7 +186,7 @@ double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, s
     if (was_a.room == 0 || was_b.room == 0) return 0.0;
     const double strength = kStrength * std::min(known_share(was_a), known_share(was_b));
     if (was_a.room != was_b.room) return strength;
-    return is_for_cuts_ ? 0.0 : -strength * open_share(regions, a, b);
+    return is_for_cuts_ ? 0.0 : -strength * openness(regions, a, b);
 }
 
 EarlierDecisions EarlierDecisions::for_cuts_only() const {

@@ -63,8 +63,8 @@ private:
         std::uint32_t b = 0;
         std::size_t num_lines = 0;
     };
-    [[nodiscard]] double open_share(const RegionGraph& regions, std::uint32_t a,
-                                    std::uint32_t b) const;
+    [[nodiscard]] double openness(const RegionGraph& regions, std::uint32_t a,
+                                  std::uint32_t b) const;
     [[nodiscard]] const Before& before(const RegionGraph& regions, std::uint32_t region);
 
     std::vector<Before> pieces_;
