@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/why.hpp"
+#include "quadcut/explain/why.hpp"
 
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/command.hpp"
 #include "apps/map_of_result.hpp"
@@ -37,15 +38,27 @@ void require_preset_rooms(const SegmentOptions& options, const std::string& name
                      "rooms, as 'quadcut segment MAP -o DIR' makes them without --preset paper");
 }
 
+/// As report.json tells them; those that it does not tell are as they are by themselves.
+SegmentOptions options_of(const io::StoredResult& result, const std::filesystem::path& folder) {
+    SegmentOptions options;
+    std::vector<OptionField> fields;
+    add_fields(options, fields);
+    for (const OptionField& field : fields) {
+        const auto told = result.options.find(std::string(field.name));
+        if (told == result.options.end()) continue;
+        try {
+            io::set_option(fields, field.name, told->second);
+        } catch (const InputError& error) {
+            throw InputError(io::display_name(folder / "report.json") + ": " + error.what());
+        }
+    }
+    return options;
+}
+
 Asked asked_in_folder(const std::filesystem::path& folder) {
     const io::StoredResult result = io::read_stored_result(folder);
     Asked asked;
-    std::vector<OptionField> fields;
-    add_fields(asked.options, fields);
-    for (const OptionField& field : fields) {
-        const auto told = result.options.find(std::string(field.name));
-        if (told != result.options.end()) io::set_option(fields, field.name, told->second);
-    }
+    asked.options = options_of(result, folder);
     require_preset_rooms(asked.options, io::display_name(folder));
     io::MapFile file = map_of_result(folder, result, std::nullopt);
     print_warnings(file.warnings);

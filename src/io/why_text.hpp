@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
+#include "quadcut/explain/why.hpp"
 #include "quadcut/segment/options.hpp"
-#include "quadcut/segment/why.hpp"
 
 namespace quadcut::io {
 

@@ -140,6 +140,19 @@ TEST(Why, OfThePresetPaperItSaysWhatToDo) {
     EXPECT_THAT(outcome.err, HasSubstr("without --preset paper"));
 }
 
+TEST(Why, AReportThatCannotBeIsNamed) {
+    const Folder folder;
+    cut(folder, two_rooms(1));
+    std::string report = read_bytes(folder / "rooms/report.json");
+    const std::string option = "\"granularity\": 0.5";
+    ASSERT_NE(report.find(option), std::string::npos);
+    report.replace(report.find(option), option.size(), "\"granularity\": 7");
+    folder.write("rooms/report.json", report);
+    const Outcome outcome = why(folder, point(14, 8));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("report.json: option granularity: '7': expected"));
+}
+
 TEST(Why, NeedsAResultAndAPoint) {
     const Folder folder;
     EXPECT_EQ(run_quadcut({"why", folder / "nothing", "1", "2"}).exit_code, 2);

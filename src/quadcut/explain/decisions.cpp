@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/rooms/decisions.hpp"
+#include "quadcut/explain/decisions.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -9,8 +9,8 @@
 
 #include "quadcut/base/geometry.hpp"
 #include "quadcut/base/run_options.hpp"
+#include "quadcut/explain/decisions.hpp"
 #include "quadcut/map/grid_map.hpp"
-#include "quadcut/rooms/decisions.hpp"
 #include "quadcut/rooms/door_model.hpp"
 
 namespace quadcut {

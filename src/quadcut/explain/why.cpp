@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/segment/why.hpp"
+#include "quadcut/explain/why.hpp"
 
 #include <algorithm>
 #include <cmath>

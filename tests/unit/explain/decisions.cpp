@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
-#include "quadcut/rooms/decisions.hpp"
-
-#include <numeric>
-#include <set>
-#include <string_view>
+#include "quadcut/explain/decisions.hpp"
 
 #include <gtest/gtest.h>
 
 #include "quadcut/base/stage_clock.hpp"
-#include "quadcut/rooms/door_model.hpp"
 #include "quadcut/rooms/fuse.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "sim/building.hpp"
@@ -56,38 +51,6 @@ TEST(Decisions, ANarrowerDoorWidthMakesItTooWide) {
     const DecidedCut cut = decided(test::two_rooms(), options);
     EXPECT_EQ(count(cut, Verdict::cut), 0U);
     EXPECT_GE(count(cut, Verdict::too_wide), 1U);
-}
-
-TEST(DoorModel, WhatCuesAddIsWhatTellsTwoNarrowingsApart) {
-    const DecidedCut cut = decided(test::two_rooms());
-    Narrowing other = cut.decisions.front().narrowing;
-    other.narrower.region_area_m2 = 1.6;
-    other.opening.thin_wall_m = {};
-    other.opening.line_of_walls_m = {};
-    const auto sum = [](const Narrowing& narrowing) {
-        const auto contributions = door_contributions(narrowing);
-        return std::accumulate(contributions.begin(), contributions.end(), 0.0);
-    };
-    const Narrowing& door = cut.decisions.front().narrowing;
-    EXPECT_GT(door_log_odds(door), door_log_odds(other));
-    EXPECT_NEAR(sum(door) - sum(other), door_log_odds(door) - door_log_odds(other), 1e-6);
-}
-
-TEST(DoorModel, CuesHaveNamesOfTheirOwn) {
-    std::set<std::string_view> names;
-    std::set<std::string_view> texts;
-    for (const DoorCue& cue : kDoorCues) {
-        names.insert(cue.name);
-        texts.insert(cue.text);
-    }
-    EXPECT_EQ(names.size(), kNumDoorCues);
-    EXPECT_EQ(texts.size(), kNumDoorCues);
-}
-
-TEST(DoorModel, AGranularityIsOneThreshold) {
-    for (const double granularity : {0.0, 0.3, 0.5, 1.0}) {
-        EXPECT_NEAR(granularity_from(fuse_threshold(granularity)), granularity, 1e-12);
-    }
 }
 
 }  // namespace
