@@ -18,6 +18,7 @@
 #include "io/stored_result.hpp"
 #include "io/why_text.hpp"
 #include "project/building_at.hpp"
+#include "project/project.hpp"
 #include "quadcut/base/error.hpp"
 #include "quadcut/segment/options.hpp"
 
@@ -67,6 +68,13 @@ Asked asked_in_folder(const std::filesystem::path& folder) {
     return asked;
 }
 
+Asked asked_in_project(const std::filesystem::path& path) {
+    const Project project = Project::open(path, Access::read);
+    require_preset_rooms(project.options().segment, io::display_name(path));
+    const std::shared_ptr<const Snapshot> building = project.snapshot();
+    return {building->map(), project.options().segment, building};
+}
+
 std::string name_of(const Asked& asked, const Point& point) {
     const Place place = asked.building->place_of(point);
     if (!place.is_inside) return "no room";
@@ -76,12 +84,8 @@ std::string name_of(const Asked& asked, const Point& point) {
 void run(const Arguments& arguments) {
     const std::filesystem::path where = arguments.operands[0];
     const Point point = point_of(arguments.operands[1], arguments.operands[2]);
-    if (room_place_of(where) == RoomPlace::project) {
-        throw InputError(io::display_name(where) +
-                         ": a project: expected the folder of a result: 'quadcut follow LOG -o "
-                         "DIR' and 'quadcut segment' write one");
-    }
-    const Asked asked = asked_in_folder(where);
+    const bool is_project = room_place_of(where) == RoomPlace::project;
+    const Asked asked = is_project ? asked_in_project(where) : asked_in_folder(where);
     const Why answer = why(asked.map, asked.options, point);
     io::WrittenWhy written{answer, asked.options.rooms, {}};
     if (answer.border) {
@@ -108,10 +112,11 @@ Command why_command() {
     form.text =
         "Says why the map is cut at a point, or is not (metres, map frame): what was measured at "
         "the border near it, and what decided.";
-    form.operands = {"DIR", "X", "Y"};
+    form.operands = {"DIR|PROJECT", "X", "Y"};
     form.flags = {json_flag()};
     form.flags[0].text = "as JSON, with all cues and what each added";
-    form.examples = {"quadcut why build/demo 0.9 0.7", "quadcut why build/demo 0.9 0.7 --json"};
+    form.examples = {"quadcut why build/demo 0.9 0.7",
+                     "quadcut why build/demo/building.quadcut 0.9 0.7 --json"};
     return {form, run};
 }
 

@@ -140,6 +140,31 @@ TEST(Why, OfThePresetPaperItSaysWhatToDo) {
     EXPECT_THAT(outcome.err, HasSubstr("without --preset paper"));
 }
 
+TEST(Why, OfALogTellsTheSameInFolderAndProject) {
+    const Folder folder;
+    run_quadcut({"simulate", "-o", folder / "sim", "--seed", "2", "--rooms", "6"});
+    ASSERT_EQ(run_quadcut({"follow", folder / "sim/robot.log", "-o", folder / "rooms", "--project",
+                           folder / "p.quadcut", "--quiet"})
+                  .exit_code,
+              0);
+    const Json features = Json::parse(read_bytes(folder / "rooms/rooms.geojson")).at("features");
+    std::size_t num_doors = 0;
+    for (const Json& feature : features) {
+        if (feature.at("properties").at("type") != "door") continue;
+        const Json& ends = feature.at("geometry").at("coordinates");
+        Words at;
+        for (const int axis : {0, 1}) {
+            at.push_back(
+                std::to_string((ends[0][axis].get<double>() + ends[1][axis].get<double>()) / 2.0));
+        }
+        const Outcome told = why(folder, at);
+        EXPECT_THAT(told.out, StartsWith("cut between ")) << told.err;
+        EXPECT_EQ(run_quadcut({"why", folder / "p.quadcut", at[0], at[1]}).out, told.out);
+        ++num_doors;
+    }
+    EXPECT_GE(num_doors, 3U);
+}
+
 TEST(Why, AReportThatCannotBeIsNamed) {
     const Folder folder;
     cut(folder, two_rooms(1));
