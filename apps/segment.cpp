@@ -147,6 +147,14 @@ std::optional<io::PreviousResult> read_previous(const Arguments& arguments, Stag
     return io::read_previous_result(*folder);
 }
 
+/// They on the cells of the map that is cut now.
+EarlierRooms earlier_rooms(const std::optional<io::PreviousResult>& previous, Input& input) {
+    if (!previous) return {};
+    io::PlacedRooms placed = io::place_on_map(*previous, input.map);
+    input.warnings.insert(input.warnings.end(), placed.warnings.begin(), placed.warnings.end());
+    return std::move(placed.rooms);
+}
+
 /// What became of the rooms of an earlier result, whose ids and names the rooms get.
 std::vector<RoomEvent> recognise(const EarlierRooms& earlier, StageClock& clock,
                                  Segmentation& rooms) {
@@ -205,7 +213,7 @@ void run(const Arguments& arguments) {
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(all_options, run_options);
-    const EarlierRooms earlier = previous ? io::on_cells_of(*previous, input.map) : EarlierRooms{};
+    const EarlierRooms earlier = earlier_rooms(previous, input);
     Segmentation rooms = segment(input.map, options, run_options, input.trajectory, earlier.labels);
     if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
         rooms = joined_into_submaps(std::move(rooms), options.paper.num_submaps, input.map,

@@ -17,10 +17,13 @@
 #include "io/format_version.hpp"
 #include "io/found_instead.hpp"
 #include "io/image.hpp"
+#include "io/number_text.hpp"
 #include "io/room_text.hpp"
 #include "io/yaml.hpp"
 #include "io/yaml_keys.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/lost_frame.hpp"
+#include "quadcut/rooms/previous.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -204,6 +207,28 @@ EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map) {
         }
     }
     return earlier;
+}
+
+PlacedRooms place_on_map(PreviousResult previous, const GridMap& map) {
+    PlacedRooms placed{on_cells_of(previous, map), {}};
+    MapKeys& keys = previous.legend.map_keys;
+    const bool is_alike = keys.resolution_m == map.resolution_m &&
+                          keys.map_from_image.yaw_rad == map.map_from_image.yaw_rad;
+    if (!is_alike || !rooms_still_there(placed.rooms.labels, map.states).values.empty()) {
+        return placed;
+    }
+    const std::optional<Cell> shift = find_shift(previous.labels, map.states);
+    if (!shift) return placed;
+    const Point before{keys.map_from_image.x, keys.map_from_image.y};
+    keys.map_from_image = compose(map.map_from_image,
+                                  {shift->x * map.resolution_m, shift->y * map.resolution_m, 0.0});
+    placed.rooms = on_cells_of(previous, map);
+    placed.warnings.push_back(
+        "the earlier result fits the map when it is moved by " +
+        with_decimals(keys.map_from_image.x - before.x, 2) + ", " +
+        with_decimals(keys.map_from_image.y - before.y, 2) +
+        " m, and not where its own frame has it: it was moved; mend the origin of one of the maps");
+    return placed;
 }
 
 }  // namespace quadcut::io

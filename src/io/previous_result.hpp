@@ -56,4 +56,12 @@ struct PreviousResult {
 /// whatever origin, direction and resolution the earlier map had. O(cells).
 [[nodiscard]] EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map);
 
+/// The same; a result that does not fit the map there, but elsewhere (find_shift()), is moved,
+/// which is the warning.
+struct PlacedRooms {
+    EarlierRooms rooms;
+    std::vector<std::string> warnings;
+};
+[[nodiscard]] PlacedRooms place_on_map(PreviousResult previous, const GridMap& map);
+
 }  // namespace quadcut::io

@@ -16,7 +16,7 @@ WINGS = {
     "live": ("follow",),
     "above": ("zones", "route", "explain"),
 }
-MAX_LINES = {"rooms": 8190, "paper": 931, "live": 3016, "above": 2245}
+MAX_LINES = {"rooms": 8190, "paper": 931, "live": 3110, "above": 2245}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
