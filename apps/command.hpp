@@ -25,6 +25,7 @@ struct Command {
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command locate_command();
 [[nodiscard]] Command route_command();
+[[nodiscard]] Command why_command();
 [[nodiscard]] Command edit_command();
 [[nodiscard]] Command score_command();
 [[nodiscard]] Command simulate_command();

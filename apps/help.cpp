@@ -22,8 +22,9 @@ constexpr std::size_t kTextColumn = 12;
 constexpr std::array<std::string_view, 3> kPlannedCommands{"serve", "ros2", "batch"};
 
 /// Other words for commands.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOtherWords{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOtherWords{
     {{"cut", "segment"},
+     {"explain", "why"},
      {"partition", "segment"},
      {"track", "follow"},
      {"watch", "follow"},
@@ -142,10 +143,10 @@ void check_order(std::span<const std::string> words) {
 }  // namespace
 
 std::vector<Command> commands() {
-    return {segment_command(), map_command(),      follow_command(), rooms_command(),
-            locate_command(),  route_command(),    edit_command(),   export_command(),
-            score_command(),   simulate_command(), demo_command(),   reproduce_command(),
-            options_command(), version_command()};
+    return {segment_command(),   map_command(),     follow_command(),   rooms_command(),
+            locate_command(),    why_command(),     route_command(),    edit_command(),
+            export_command(),    score_command(),   simulate_command(), demo_command(),
+            reproduce_command(), options_command(), version_command()};
 }
 
 std::string help_text() {

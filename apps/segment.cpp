@@ -147,16 +147,24 @@ std::optional<io::PreviousResult> read_previous(const Arguments& arguments, Stag
     return io::read_previous_result(*folder);
 }
 
-/// What became of the rooms of `previous`, whose ids and names the rooms get.
-std::vector<RoomEvent> recognise(const io::PreviousResult& previous, const GridMap& map,
-                                 StageClock& clock, Segmentation& rooms) {
+/// They on the cells of the map that is cut now.
+EarlierRooms earlier_rooms(const std::optional<io::PreviousResult>& previous, Input& input) {
+    if (!previous) return {};
+    io::PlacedRooms placed = io::place_on_map(*previous, input.map);
+    input.warnings.insert(input.warnings.end(), placed.warnings.begin(), placed.warnings.end());
+    return std::move(placed.rooms);
+}
+
+/// What became of the rooms of an earlier result, whose ids and names the rooms get.
+std::vector<RoomEvent> recognise(const EarlierRooms& earlier, StageClock& clock,
+                                 Segmentation& rooms) {
     clock.begin("track");
-    Tracked tracked = track(rooms, io::on_cells_of(previous, map, rooms.labels));
+    Tracked tracked = track(rooms, earlier);
     rooms = std::move(tracked.segmentation);
     const bool is_any_kept =
         std::any_of(tracked.events.begin(), tracked.events.end(),
                     [](const RoomEvent& event) { return event.change == RoomChange::kept; });
-    if (!is_any_kept && !rooms.rooms.empty() && !previous.legend.rooms.empty()) {
+    if (!is_any_kept && !rooms.rooms.empty() && !earlier.rooms.empty()) {
         rooms.report.warnings.emplace_back(
             "no room is where one of the earlier result is: are both in the same map frame?");
     }
@@ -205,7 +213,8 @@ void run(const Arguments& arguments) {
     keep_the_number(arguments, options, input);
     warn_of_the_ineffective(options, input);
     io::RunInfo info = run_info_of(all_options, run_options);
-    Segmentation rooms = segment(input.map, options, run_options, input.trajectory);
+    const EarlierRooms earlier = earlier_rooms(previous, input);
+    Segmentation rooms = segment(input.map, options, run_options, input.trajectory, earlier.labels);
     if (options.preset == Preset::rooms && options.paper.num_submaps != 0) {
         rooms = joined_into_submaps(std::move(rooms), options.paper.num_submaps, input.map,
                                     run_options.executor());
@@ -216,7 +225,7 @@ void run(const Arguments& arguments) {
     }
     if (previous) {
         info.previous_colors = previous->legend.colors;
-        info.events = recognise(*previous, input.map, clock, rooms);
+        info.events = recognise(earlier, clock, rooms);
     }
     find_zones_in(input, all_options, run_options, clock, rooms, info);
     rooms.report.stages_ms = clock.finish();

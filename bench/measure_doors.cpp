@@ -11,7 +11,6 @@
 #include <map>
 #include <queue>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -46,19 +45,6 @@ constexpr std::array<double, 2> kScaled{0.7, 1.5};
 const double kKept = fuse_threshold(RoomsOptions{}.granularity);
 /// A component this small is the inside of furniture, not of a building.
 constexpr double kMinComponentM2 = 4.0;
-
-/// Of what door_cues() measures, in its order.
-constexpr std::array<std::string_view, kNumDoorCues> kCueNames{
-    "half_width_m",      "narrower_peak_1.5",   "narrower_peak_3",   "narrower_peak_5",
-    "wider_peak_1.5",    "wider_peak_3",        "wider_peak_5",      "narrower_reach",
-    "wider_reach",       "narrower_area_5",     "wider_area_5",      "narrower_area_3_m2",
-    "wider_area_3_m2",   "less_thin_wall_m",    "more_thin_wall_m",  "less_flush_wall_m",
-    "more_flush_wall_m", "border_ratio",        "widening_1_less_m", "widening_1_more_m",
-    "widening_2_less_m", "widening_2_more_m",   "jamb_distance_m",   "narrower_spread_3",
-    "wider_spread_3",    "less_spread_3",       "more_spread_3",     "narrower_spread_5",
-    "wider_spread_5",    "narrower_region_m2",  "wider_region_m2",   "narrower_region_peak",
-    "wider_region_peak", "narrower_elongation", "wider_elongation",  "narrower_openings",
-    "wider_openings",    "less_line_m",         "more_line_m"};
 
 /// One decision: the cues, and whether the truth has a cut there.
 struct Sample {
@@ -180,7 +166,7 @@ public:
         if (csv.empty()) return;
         csv_.open(csv);
         csv_ << "map,group,kind,is_cut";
-        for (const std::string_view name : kCueNames) csv_ << ',' << name;
+        for (const DoorCue& cue : kDoorCues) csv_ << ',' << cue.name;
         csv_ << '\n';
     }
     void add(const std::string& map, const std::string& group, const std::string& kind,

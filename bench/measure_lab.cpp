@@ -53,8 +53,6 @@ const double kKept = fuse_threshold(RoomsOptions{}.granularity);
 constexpr double kMinComponentM2 = 2.0;
 
 /// Of what door_cues() measures, in its order.
-constexpr std::array<std::string_view, kNumDoorCues> kCueNames{"half_width_m","narrower_peak_1.5","narrower_peak_3","narrower_peak_5","wider_peak_1.5","wider_peak_3","wider_peak_5","narrower_reach","wider_reach","narrower_area_5","wider_area_5","narrower_area_3_m2","wider_area_3_m2","less_thin_wall_m","more_thin_wall_m","less_flush_wall_m","more_flush_wall_m","border_ratio","widening_1_less_m","widening_1_more_m","widening_2_less_m","widening_2_more_m","jamb_distance_m","narrower_spread_3","wider_spread_3","less_spread_3","more_spread_3","narrower_spread_5","wider_spread_5","narrower_region_m2","wider_region_m2","narrower_region_peak","wider_region_peak","narrower_elongation","wider_elongation","narrower_openings","wider_openings","less_line_m","more_line_m","free_half_width_m","free_narrower_peak_1.5","free_narrower_peak_3","free_narrower_peak_5","free_wider_peak_1.5","free_wider_peak_3","free_wider_peak_5","free_narrower_reach","free_wider_reach","free_narrower_area_5","free_wider_area_5","free_narrower_area_3_m2","free_wider_area_3_m2","free_less_thin_wall_m","free_more_thin_wall_m","free_less_flush_wall_m","free_more_flush_wall_m","free_border_ratio","free_widening_1_less_m","free_widening_1_more_m","free_widening_2_less_m","free_widening_2_more_m","free_jamb_distance_m","free_narrower_spread_3","free_wider_spread_3","free_less_spread_3","free_more_spread_3","free_narrower_spread_5","free_wider_spread_5","free_narrower_region_m2","free_wider_region_m2","free_narrower_region_peak","free_wider_region_peak","free_narrower_elongation","free_wider_elongation","free_narrower_openings","free_wider_openings","free_less_line_m","free_more_line_m","share_in_line","less_wall_m","more_wall_m","free_share_in_line","free_less_wall_m","free_more_wall_m","narrow_solidity","narrow_thickness_m","narrow_aspect","narrow_fill","narrow_open_share","narrow_width","narrow_free_width","wide_solidity","wide_thickness_m","wide_aspect","wide_fill","wide_open_share","wide_width","wide_free_width","joined_solidity","joined_thickness_m","joined_aspect","joined_fill","joined_open_share","joined_width","joined_free_width","width_ratio","hull_growth","less_open_line_m","more_open_line_m","less_free_line_m","more_free_line_m"};
-
 /// One decision: the cues, and whether the truth has a cut there.
 struct Sample {
     std::array<float, kNumDoorCues> cues{};
@@ -208,7 +206,7 @@ public:
         if (csv.empty()) return;
         csv_.open(csv);
         csv_ << "map,group,kind,is_cut";
-        for (const std::string_view name : kCueNames) csv_ << ',' << name;
+        for (const DoorCue& cue : kDoorCues) csv_ << ',' << cue.name;
         csv_ << '\n';
     }
     void add(const std::string& map, const std::string& group, const std::string& kind,

@@ -544,12 +544,29 @@ def closure(files: dict, old: str) -> str | None:
                    "true closures", "kept", "µs a pose"], lines) + source(files["closure"]))
 
 
+def growing(files: dict, old: str) -> str | None:
+    del old
+    if "growing" not in files:
+        return None
+    lines = []
+    for way, text in (("truth", "drawn by people"), ("ids", "cut anew, ids handed on"),
+                      ("previous", "`--previous`")):
+        rows = [row for row in files["growing"]["rows"] if row["way"] == way]
+        changed = [row["changed_percent"] for row in rows if "cells" in row]
+        pq = [row["pq"] for row in rows if "pq" in row]
+        lines.append([text, f"{statistics.mean(changed):.2f} %", f"{max(changed):.2f} %",
+                      str(sum(row.get("ids_given_away", 0) for row in rows)),
+                      f"{statistics.mean(pq):.1f}" if pq else ""])
+    return (table(["rooms of fifteen stages", "changed a stage", "at worst", "ids given away", "PQ"],
+                  lines) + source(files["growing"]))
+
+
 MAKERS = {"quality": quality, "readme-quality": readme_quality, "each-building": each_building,
           "every-input": every_input, "buildings": buildings, "invariance": invariance,
           "ablation": ablation, "speed": speed, "real": real, "scale": scale, "stages": stages,
           "updates": updates, "overhead": overhead, "bounds": bounds, "peers": peers, "follow": follow,
           "headers": headers, "independence": independence, "zones": zones, "paper": paper,
-          "route": route, "closure": closure, "realism": realism}
+           "route": route, "closure": closure, "realism": realism, "growing": growing}
 
 
 def renewed(text: str, files: dict) -> tuple[str, list[tuple[int, str]]]:

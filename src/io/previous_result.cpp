@@ -17,10 +17,13 @@
 #include "io/format_version.hpp"
 #include "io/found_instead.hpp"
 #include "io/image.hpp"
+#include "io/number_text.hpp"
 #include "io/room_text.hpp"
 #include "io/yaml.hpp"
 #include "io/yaml_keys.hpp"
 #include "quadcut/base/error.hpp"
+#include "quadcut/follow/lost_frame.hpp"
+#include "quadcut/rooms/previous.hpp"
 
 namespace quadcut::io {
 namespace {
@@ -190,10 +193,10 @@ PreviousResult read_previous_result(const std::filesystem::path& folder) {
     return parse_label_png(read_file(image), display_name(image), std::move(legend), yaml_name);
 }
 
-EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
-                         const Raster<std::uint16_t>& labels) {
-    EarlierRooms earlier{Raster<std::uint16_t>(labels.box()), map.resolution_m,
-                         previous.legend.rooms, previous.legend.next_id};
+EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map) {
+    const Box cells = map.states.box();
+    EarlierRooms earlier{Raster<std::uint16_t>(cells), map.resolution_m, previous.legend.rooms,
+                         previous.legend.next_id};
     const MapKeys& keys = previous.legend.map_keys;
     const Pose old_from_new = compose(inverse(keys.map_from_image), map.map_from_image);
     const double scale = map.resolution_m / keys.resolution_m;
@@ -203,10 +206,10 @@ EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
     const double width = previous.labels.width;
     const double height = previous.labels.height;
     std::size_t to = 0;
-    for (std::int32_t row = 0; row < labels.height; ++row) {
-        const double v = labels.origin.y + row + 0.5;
-        for (std::int32_t column = 0; column < labels.width; ++column, ++to) {
-            const double u = labels.origin.x + column + 0.5;
+    for (std::int32_t row = 0; row < cells.height(); ++row) {
+        const double v = cells.low.y + row + 0.5;
+        for (std::int32_t column = 0; column < cells.width(); ++column, ++to) {
+            const double u = cells.low.x + column + 0.5;
             const double x = origin.x + step_x * u - step_y * v;
             const double y = origin.y + step_y * u + step_x * v;
             // Compared before they are made whole: another map may be anywhere.
@@ -216,6 +219,28 @@ EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
         }
     }
     return earlier;
+}
+
+PlacedRooms place_on_map(PreviousResult previous, const GridMap& map) {
+    PlacedRooms placed{on_cells_of(previous, map), {}};
+    MapKeys& keys = previous.legend.map_keys;
+    const bool is_alike = keys.resolution_m == map.resolution_m &&
+                          keys.map_from_image.yaw_rad == map.map_from_image.yaw_rad;
+    if (!is_alike || !rooms_still_there(placed.rooms.labels, map.states).values.empty()) {
+        return placed;
+    }
+    const std::optional<Cell> shift = find_shift(previous.labels, map.states);
+    if (!shift) return placed;
+    const Point before{keys.map_from_image.x, keys.map_from_image.y};
+    keys.map_from_image = compose(map.map_from_image,
+                                  {shift->x * map.resolution_m, shift->y * map.resolution_m, 0.0});
+    placed.rooms = on_cells_of(previous, map);
+    placed.warnings.push_back(
+        "the earlier result fits the map when it is moved by " +
+        with_decimals(keys.map_from_image.x - before.x, 2) + ", " +
+        with_decimals(keys.map_from_image.y - before.y, 2) +
+        " m, and not where its own frame has it: it was moved; mend the origin of one of the maps");
+    return placed;
 }
 
 }  // namespace quadcut::io

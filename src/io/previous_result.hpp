@@ -52,10 +52,16 @@ struct PreviousResult {
 [[nodiscard]] PreviousResult parse_label_png(std::string_view bytes, const std::string& name,
                                              RoomsLegend legend, const std::string& legend_name);
 
-/// The rooms on the cells of `labels`, whose resolution and frame are those of `map`: each cell has
-/// the room that is at its centre in the map frame, whatever origin, direction and resolution the
-/// earlier map had. O(cells).
-[[nodiscard]] EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map,
-                                       const Raster<std::uint16_t>& labels);
+/// The rooms on the cells of `map`: each has the room that is at its centre in the map frame,
+/// whatever origin, direction and resolution the earlier map had. O(cells).
+[[nodiscard]] EarlierRooms on_cells_of(const PreviousResult& previous, const GridMap& map);
+
+/// The same; a result that does not fit the map there, but elsewhere (find_shift()), is moved,
+/// which is the warning.
+struct PlacedRooms {
+    EarlierRooms rooms;
+    std::vector<std::string> warnings;
+};
+[[nodiscard]] PlacedRooms place_on_map(PreviousResult previous, const GridMap& map);
 
 }  // namespace quadcut::io

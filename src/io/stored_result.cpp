@@ -161,6 +161,10 @@ StoredResult read_stored_result(const std::filesystem::path& folder) {
         told = parse(read_file(report), display_name(report));
         result.input = text_at(told, "input");
         result.input_hash = text_at(told, "input_hash");
+        const json options = told.is_object() ? told.value("options", json()) : json();
+        for (const auto& [name, value] : options.items()) {
+            result.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
+        }
     }
     if (features.find(R"("type": "zone")") != std::string::npos) {
         result.rooms.zones =

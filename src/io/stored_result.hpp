@@ -27,6 +27,8 @@ struct StoredResult {
     std::string input;
     /// As report.json has it; empty when that is not known.
     std::string input_hash;
+    /// By name, as io::set_option() takes them; empty when that is not known.
+    std::map<std::string, std::string> options;
     /// The features of rooms.geojson that are regions of another granularity, as they stand there.
     std::vector<std::string> regions;
 };

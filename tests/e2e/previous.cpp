@@ -107,6 +107,17 @@ TEST(Previous, NamesColoursAndIdsAreKeptInTheSameFolder) {
           "reason": "behind a door"}]})"));
 }
 
+TEST(Previous, AnImageThatHasGrownToTheLeftAndSaysNothingIsFoundAgain) {
+    const Folder folder;
+    ASSERT_EQ(segment(folder, office_drawing(), "a").exit_code, 0);
+    Words drawing = office_drawing();
+    for (std::string& row : drawing) row.insert(0, "????????");
+    const Outcome outcome = segment(folder, drawing, "b", {"--previous", folder / "a"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("moved by 3.20, 0.00 m"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("\n4 rooms kept\n"), std::string::npos) << outcome.out;
+}
+
 TEST(Previous, MergedAndRetiredRoomsAreToldAndTheirIdsStayTaken) {
     const Folder folder;
     ASSERT_EQ(segment(folder, office_drawing(), "a").exit_code, 0);

@@ -14,9 +14,9 @@ WINGS = {
     "rooms": ("base", "map", "spectral", "rooms", "segment"),
     "paper": ("paper",),
     "live": ("follow",),
-    "above": ("zones", "route"),
+    "above": ("zones", "route", "explain"),
 }
-MAX_LINES = {"rooms": 7799, "paper": 931, "live": 3016, "above": 2001}
+MAX_LINES = {"rooms": 8190, "paper": 931, "live": 3110, "above": 2245}
 RATCHET = 25
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The quadcut developers
 """Dependency goes down the page: base <- map, base <- spectral; map + spectral <- rooms | paper, which do
-not see each other; both <- segment <- zones, route <- follow <- everything else."""
+not see each other; both <- segment <- zones, route, explain <- follow <- everything else."""
 
 import re
 
 from source import SourceFile, Tree
 
 FLOORS = {"base", "map", "spectral"}
-CORE = FLOORS | {"rooms", "paper", "segment", "zones", "route", "follow"}
+CORE = FLOORS | {"rooms", "paper", "segment", "zones", "route", "explain", "follow"}
 
 # Folder -> the folders it may include, itself aside. A new folder gets a line here.
 MAY_INCLUDE = {
@@ -20,6 +20,7 @@ MAY_INCLUDE = {
     "segment": FLOORS | {"rooms", "paper"},
     "zones": FLOORS | {"rooms", "segment"},
     "route": {"base", "map", "segment"},
+    "explain": FLOORS | {"rooms", "segment"},
     "follow": CORE,
     "io": CORE,
     "draw": CORE | {"io"},

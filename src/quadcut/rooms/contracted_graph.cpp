@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 namespace quadcut {
@@ -61,16 +63,15 @@ ContractedGraph contract(const RegionGraph& regions) {
     return contracted;
 }
 
-void join_pieces(RegionGraph& regions, const ContractedGraph& contracted, const Pieces& pieces) {
-    std::vector<std::uint32_t> heir(pieces.count, 0);
+void join_pieces(RegionGraph& regions, const ContractedGraph& contracted, const Pieces& pieces,
+                 const EarlierDecisions& earlier) {
+    // Of each piece, by the earlier room.
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> heir;
     for (std::size_t node = 0; node < contracted.region_of_node.size(); ++node) {
         const std::uint32_t region = contracted.region_of_node[node];
-        std::uint32_t& own = heir[pieces.piece_of_node[node]];
-        if (own == 0) {
-            own = region;
-        } else {
-            regions.join(own, region);
-        }
+        const auto [own, is_first] =
+            heir.emplace(std::pair{pieces.piece_of_node[node], earlier.room_of(region)}, region);
+        if (!is_first) regions.join(own->second, region);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/spectral/graph.hpp"
 #include "quadcut/spectral/pieces.hpp"
@@ -24,7 +25,9 @@ struct ContractedGraph {
 /// and saddles are those that the regions know: no cell is looked at. O(regions + saddles).
 [[nodiscard]] ContractedGraph contract(const RegionGraph& regions);
 
-/// Joins the regions of each piece; pieces are those of contract(regions), one a node.
-void join_pieces(RegionGraph& regions, const ContractedGraph& contracted, const Pieces& pieces);
+/// Joins the regions of each piece, but not across earlier borders; pieces are those of
+/// contract(regions), one a node.
+void join_pieces(RegionGraph& regions, const ContractedGraph& contracted, const Pieces& pieces,
+                 const EarlierDecisions& earlier = {});
 
 }  // namespace quadcut

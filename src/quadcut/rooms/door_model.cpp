@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <vector>
+#include <utility>
 
 #include "quadcut/rooms/door_trees.hpp"
 
@@ -76,6 +77,20 @@ LoadedModel load_model() {
         for (float& leaf : tree.leaves) in >> leaf;
     }
     return {bias, flat_trees(trees)};
+}
+
+/// Over the leaves below what a branch leads to: their sum, and how many they are.
+std::pair<double, int> leaves_under(const DoorTree& tree, int next) {
+    if (next <= 0) return {tree.leaves[static_cast<std::size_t>(-next)], 1};
+    const DoorBranch& branch = tree.branches[static_cast<std::size_t>(next)];
+    const auto [below, num_below] = leaves_under(tree, branch.below);
+    const auto [above, num_above] = leaves_under(tree, branch.above);
+    return {below + above, num_below + num_above};
+}
+
+double mean_under(const DoorTree& tree, int next) {
+    const auto [sum, count] = leaves_under(tree, next);
+    return sum / count;
 }
 
 }  // namespace
@@ -159,6 +174,26 @@ double door_log_odds(const BorderMeasure& border) {
             static_cast<double>(tree.leaves[static_cast<std::size_t>(std::countr_zero(leaves))]);
     }
     return log_odds;
+}
+
+std::array<double, kNumDoorCues> door_contributions(const BorderMeasure& border) {
+    const std::array<float, kNumDoorCues> cues = door_cues(border);
+    std::array<double, kNumDoorCues> contributions{};
+    for (const DoorTree& tree : kDoorTrees) {
+        const DoorBranch* branch = &tree.branches[0];
+        double mean =
+            (leaves_under(tree, branch->below).first + leaves_under(tree, branch->above).first) /
+            (leaves_under(tree, branch->below).second + leaves_under(tree, branch->above).second);
+        while (branch->below != branch->above) {
+            const int next = cues[branch->cue] <= branch->threshold ? branch->below : branch->above;
+            const double mean_after = mean_under(tree, next);
+            contributions[branch->cue] += mean_after - mean;
+            mean = mean_after;
+            if (next <= 0) break;
+            branch = &tree.branches[static_cast<std::size_t>(next)];
+        }
+    }
+    return contributions;
 }
 
 }  // namespace quadcut

@@ -5,14 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include "quadcut/rooms/door_cues.hpp"
 #include "quadcut/rooms/region_graph.hpp"
 
 namespace quadcut {
 
-inline constexpr std::size_t kNumDoorCues = 111;
-
-/// What the door model looks at, 39 cues. Ratios of lengths and of areas
-/// to the opening are logarithms.
+/// What the door model looks at, as kDoorCues lists it.
 [[nodiscard]] std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border);
 
 /// How clearly a narrowing is a door: the logarithm of the odds (fuse_threshold() says from where
@@ -20,5 +18,10 @@ inline constexpr std::size_t kNumDoorCues = 111;
 /// (docs/decisions/0008-door-model.md); more wall beside an opening, or more room behind it, never
 /// makes a door less likely.
 [[nodiscard]] double door_log_odds(const BorderMeasure& border);
+
+/// What each cue adds to the log-odds: in each tree, each question moves them from the mean of the
+/// leaves that are left before it to the mean of those that are left after it (Saabas, 2014). All
+/// of them, and the mean of each tree, are the log-odds together.
+[[nodiscard]] std::array<double, kNumDoorCues> door_contributions(const BorderMeasure& border);
 
 }  // namespace quadcut

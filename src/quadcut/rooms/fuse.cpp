@@ -18,6 +18,8 @@ constexpr double kLogOddsOfGranularity = 12.0;
 /// scans much looks like a door that is none.
 constexpr double kDefaultLogOdds = 0.6;
 constexpr double kNoDoor = -100.0;
+/// Where two rooms have been, the opening between may be so much wider.
+constexpr double kWiderOfEarlier = 1.25;
 
 }  // namespace
 
@@ -25,8 +27,16 @@ double fuse_threshold(double granularity) {
     return kDefaultLogOdds + kLogOddsOfGranularity * (0.5 - granularity);
 }
 
-Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor)
-    : regions_(regions), max_width_m_(max_width_m), executor_(executor) {
+double granularity_from(double log_odds) {
+    return 0.5 - (log_odds - kDefaultLogOdds) / kLogOddsOfGranularity;
+}
+
+Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
+             EarlierDecisions earlier)
+    : regions_(regions),
+      max_width_m_(max_width_m),
+      executor_(executor),
+      earlier_(std::move(earlier)) {
     regions_.measure_all(max_width_m_, executor_);
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
@@ -44,7 +54,9 @@ void Fuser::push(std::uint32_t a, std::uint32_t b) {
 double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
     const Saddle& saddle = regions_.saddles(a).at(b);
     const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
-    return width_m > max_width_m_ ? kNoDoor : door_log_odds(regions_.measure(a, b));
+    const double earlier = earlier_.log_odds(regions_, a, b);
+    const double max_width_m = max_width_m_ * (earlier > 0.0 ? kWiderOfEarlier : 1.0);
+    return width_m > max_width_m ? kNoDoor : door_log_odds(regions_.measure(a, b)) + earlier;
 }
 
 void Fuser::fuse_below(double min_log_odds) {
@@ -69,7 +81,8 @@ bool Fuser::fuse_next_below(double min_log_odds) {
     return false;
 }
 
-void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m) {
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m,
+                        EarlierDecisions earlier) {
     const auto is_small = [&](std::uint32_t region) {
         return regions.area_m2(region) < min_area_m2 || 2.0 * regions.peak_m(region) < min_width_m;
     };
@@ -83,10 +96,13 @@ void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_wid
     for (const std::uint32_t region : small) {
         if (!regions.is_region(region) || !is_small(region)) continue;
         const auto& saddles = regions.saddles(region);
+        const auto rank = [&](const auto& neighbour) {
+            return std::pair(earlier.log_odds(regions, region, neighbour.first) <= 0.0,
+                             neighbour.second.clearance_m);
+        };
         const auto widest =
-            std::max_element(saddles.begin(), saddles.end(), [](const auto& p, const auto& q) {
-                return p.second.clearance_m < q.second.clearance_m;
-            });
+            std::max_element(saddles.begin(), saddles.end(),
+                             [&](const auto& p, const auto& q) { return rank(p) < rank(q); });
         if (widest != saddles.end()) regions.join(widest->first, region);
     }
 }

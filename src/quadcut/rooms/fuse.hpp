@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/rooms/regions.hpp"
 
@@ -16,13 +17,17 @@ namespace quadcut {
 
 /// The log-odds below which cuts are fused, for a granularity of 0 (few rooms) .. 1 (many).
 [[nodiscard]] double fuse_threshold(double granularity);
+/// The granularity from which on a cut of such log-odds is kept; it may be beyond 0 .. 1.
+[[nodiscard]] double granularity_from(double log_odds);
 
 /// Joins regions: the least door-like cut goes first, and what is joined is measured anew.
 class Fuser {
 public:
-    /// Openings that are wider than `max_width_m` separate nothing. The regions must outlive the
-    /// fuser, and nothing else may join them while it is in use.
-    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {});
+    /// Openings that are wider than `max_width_m` separate nothing. `earlier` counts beside what is
+    /// measured. The regions must outlive the fuser, and nothing else may join them while it is in
+    /// use.
+    Fuser(RegionGraph& regions, double max_width_m, const Executor& executor = {},
+          EarlierDecisions earlier = {});
 
     /// Joins until every cut that is left has at least these log-odds of being a door. To stop
     /// halfway changes nothing: what is fused at one granularity is fused at every lower one.
@@ -50,12 +55,15 @@ private:
     RegionGraph& regions_;
     double max_width_m_;
     Executor executor_;
+    EarlierDecisions earlier_;
     std::priority_queue<Candidate> queue_;
 };
 
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
-/// saddle, smallest first. What has no neighbour stays.
-void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m);
+/// saddle, smallest first; if it can, one that it was not apart from earlier. What has no neighbour
+/// stays.
+void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m,
+                        EarlierDecisions earlier = {});
 
 /// The regions that are no rooms of their own, and the region that each belongs to: of enclosures
 /// that one region is all around of, if that has twice the area.

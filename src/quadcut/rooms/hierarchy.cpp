@@ -49,7 +49,8 @@ void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::
 }
 
 Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
-                          double max_width_m, std::span<const Enclosure> enclosures) {
+                          double max_width_m, std::span<const Enclosure> enclosures,
+                          EarlierDecisions earlier) {
     std::vector<std::uint32_t> finest;
     std::vector<std::uint32_t> number(regions.num_pieces() + 1, 0);
     Hierarchy hierarchy;
@@ -67,7 +68,7 @@ Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regio
         throw InputError("the finest level of the hierarchy has " + std::to_string(finest.size()) +
                          " regions: expected at most 65535, the range of a label");
     }
-    Fuser fuser(regions, max_width_m);
+    Fuser fuser(regions, max_width_m, {}, std::move(earlier));
     for (int step = kNumSteps; step >= 0; --step) {
         const double granularity = static_cast<double>(step) / kNumSteps;
         fuser.fuse_below(fuse_threshold(granularity));

@@ -23,7 +23,8 @@ void fuse_to_number(Fuser& fuser, const RegionGraph& regions, const Raster<std::
 /// InputError when there are more than 65535 regions. O(cells, and what fusing costs).
 [[nodiscard]] Hierarchy build_hierarchy(const Raster<std::uint32_t>& labels, RegionGraph regions,
                                         double max_width_m,
-                                        std::span<const Enclosure> enclosures = {});
+                                        std::span<const Enclosure> enclosures = {},
+                                        EarlierDecisions earlier = {});
 
 /// What `rooms` have of a region of the finest level becomes a region of its own where several have
 /// some, so that every room is a union of regions again; coarser levels stay as they are. O(cells).

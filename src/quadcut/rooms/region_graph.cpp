@@ -118,6 +118,7 @@ std::size_t RegionGraph::num_saddles() const {
 }
 
 void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
+    if (watcher_) watcher_(a, b);
     borders_.join(a, b, view());
     free_borders_.join(a, b, view());
     for (const std::uint32_t piece : members_[b]) region_[piece] = a;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -83,6 +84,10 @@ public:
     /// The region that a piece has become part of; a region is named by one of its pieces.
     [[nodiscard]] std::uint32_t region_of(std::uint32_t piece) const { return region_[piece]; }
     [[nodiscard]] bool is_region(std::uint32_t piece) const { return region_[piece] == piece; }
+    /// The pieces of a region.
+    [[nodiscard]] std::span<const std::uint32_t> members(std::uint32_t region) const {
+        return members_[region];
+    }
     [[nodiscard]] std::uint32_t num_pieces() const {
         return static_cast<std::uint32_t>(region_.size() - 1);
     }
@@ -109,6 +114,10 @@ public:
     /// What a piece has beyond the raster, of which it is a part. @pre nothing was joined yet.
     void add_beyond(std::uint32_t piece, const Beyond& beyond);
 
+    /// Told of each join while both regions are there still: for whoever notes decisions.
+    void watch_joins(std::function<void(std::uint32_t a, std::uint32_t b)> watcher) {
+        watcher_ = std::move(watcher);
+    }
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
 
@@ -162,6 +171,7 @@ private:
                                                        const Opening& opening,
                                                        const Raster<float>& clearance) const;
 
+    std::function<void(std::uint32_t a, std::uint32_t b)> watcher_;
     const Raster<std::uint32_t>& pieces_;
     Ground ground_;
     std::vector<std::uint32_t> region_;

@@ -37,11 +37,13 @@ std::vector<bool> regions_on_edge(const Raster<std::uint32_t>& pieces, const Reg
 /// `cut.rooms` holds the pieces at first. The finest regions are tidied; what they fuse into is
 /// measured before, since `regions` look at the pieces as they were, perhaps in that very raster;
 /// only how many are left of them is known after.
-void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const Executor& executor,
+void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options,
+                     const EarlierDecisions& earlier, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
-    Fuser(regions, options.door_width_m, executor).fuse_below(fuse_threshold(1.0));
-    fuse_small_regions(regions, options.min_room_m2, options.min_passable_m);
+    Fuser(regions, options.door_width_m, executor, earlier.for_cuts_only())
+        .fuse_below(fuse_threshold(1.0));
+    fuse_small_regions(regions, options.min_room_m2, options.min_passable_m, earlier);
     const std::vector<bool> goes_on =
         floor.add_beyond ? regions_on_edge(cut.pieces, regions) : std::vector<bool>{};
     const std::vector<std::uint32_t> finest = regions_of_pieces(regions);
@@ -49,7 +51,7 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     if (hierarchy != nullptr) finest_regions.emplace(regions);
     const double threshold = fuse_threshold(options.granularity);
     if (floor.least_rooms == 0) {
-        Fuser(regions, options.door_width_m, executor).fuse_below(threshold);
+        Fuser(regions, options.door_width_m, executor, earlier).fuse_below(threshold);
     }
     renumber(labels, finest, executor);
     connect_regions(labels, goes_on, executor);
@@ -61,10 +63,10 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options, const
     if (adoption.is_any) connect_regions(labels, goes_on, executor);
     if (hierarchy != nullptr) {
         *hierarchy = build_hierarchy(labels, std::move(*finest_regions), options.door_width_m,
-                                     adoption.enclosures);
+                                     adoption.enclosures, earlier);
     }
     if (floor.least_rooms != 0) {
-        Fuser fuser(regions, options.door_width_m, executor);
+        Fuser fuser(regions, options.door_width_m, executor, earlier);
         fuse_to_number(fuser, regions, labels, adoption.enclosures, threshold, floor.least_rooms);
     }
     relabel(regions, labels, adoption.enclosures, executor);
@@ -89,6 +91,11 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     cut.rooms = std::move(basins.labels);
     cut.num_pieces = basins.count;
     clock.begin("graph");
+    EarlierDecisions earlier;
+    if (!floor.earlier.values.empty()) {
+        cut.num_pieces = cut_where_rooms_met(cut.rooms, cut.num_pieces, floor.earlier);
+        earlier = EarlierDecisions(cut.rooms, cut.num_pieces, floor.earlier);
+    }
     // A whole map may be so large that there is no room for both.
     const bool keeps_pieces = floor.add_beyond || hierarchy != nullptr || floor.least_rooms != 0;
     if (keeps_pieces) cut.pieces = cut.rooms;
@@ -102,12 +109,12 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
         const ContractedGraph contracted = contract(regions);
         clock.begin("eigen");
         Pieces pieces = cut_spectrally(contracted.graph, options.min_room_m2, executor);
-        join_pieces(regions, contracted, pieces);
+        join_pieces(regions, contracted, pieces, earlier);
         cut.report.eigen = std::move(pieces.eigen);
     }
     if (floor.add_beyond) cut.joined_pieces = regions_of_pieces(regions);
     clock.begin("fuse");
-    fuse_into_rooms(floor, options, executor, regions, cut, hierarchy);
+    fuse_into_rooms(floor, options, earlier, executor, regions, cut, hierarchy);
     return cut;
 }
 

@@ -29,6 +29,8 @@ struct FloorToCut {
     std::function<void(const Raster<std::uint32_t>& pieces, RegionGraph& regions)> add_beyond;
     /// Not to be fused into fewer rooms, as far as there are so many at the highest granularity.
     std::size_t least_rooms = 0;
+    /// The rooms of an earlier result, which count as evidence; empty: none.
+    Raster<std::uint16_t> earlier = {};
 };
 
 struct RoomsCut {

@@ -19,8 +19,10 @@
 #include "quadcut/rooms/doors.hpp"
 #include "quadcut/rooms/glimpses.hpp"
 #include "quadcut/rooms/hierarchy.hpp"
+#include "quadcut/rooms/previous.hpp"
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/rooms/rooms.hpp"
+#include "quadcut/segment/floor.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 #include "quadcut/segment/reading_order.hpp"
@@ -53,24 +55,6 @@ void complete(Raster<std::uint32_t> labels, const Ground& ground, const GridMap&
     number_in_reading_order(result, map, executor);
 }
 
-/// What is cut: connected free space, without specks and without the ground outside, laid out so
-/// that the result does not depend on how the map lies.
-struct Floor {
-    Layout layout;
-    Raster<std::uint8_t> kept;
-    Raster<CellState> states;
-};
-
-Floor lay_out_floor(const GridMap& map, std::span<const Point> trajectory, double min_component_m2,
-                    const Executor& executor) {
-    Floor floor;
-    const Raster<std::uint8_t> kept = inside(map, trajectory, min_component_m2, executor);
-    floor.layout = standard_layout(kept, executor);
-    floor.kept = laid_out<std::uint8_t>(kept, floor.layout, 0, executor);
-    floor.states = laid_out<CellState>(map.states, floor.layout, CellState::unknown, executor);
-    return floor;
-}
-
 /// Where the robot was, laid out.
 std::vector<Cell> way_in(const Layout& layout, const GridMap& map,
                          std::span<const Point> trajectory) {
@@ -80,16 +64,26 @@ std::vector<Cell> way_in(const Layout& layout, const GridMap& map,
 }
 
 Segmentation segment_rooms(const GridMap& map, const SegmentOptions& options,
-                           std::span<const Point> trajectory, StageClock& clock,
-                           const Executor& executor) {
+                           std::span<const Point> trajectory, const Raster<std::uint16_t>& earlier,
+                           StageClock& clock, const Executor& executor) {
     Segmentation result;
     clock.begin("inside");
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     Hierarchy* const hierarchy = options.with_hierarchy ? &result.hierarchy : nullptr;
     const std::vector<Cell> way = way_in(floor.layout, map, trajectory);
-    RoomsCut cut = cut_into_rooms(
-        {std::move(floor.kept), floor.states, map.resolution_m, {}, options.paper.num_submaps},
-        options.rooms, clock, executor, hierarchy);
+    FloorToCut to_cut{
+        std::move(floor.kept), floor.states, map.resolution_m, {}, options.paper.num_submaps};
+    if (!earlier.values.empty()) {
+        const Raster<std::uint16_t> there = rooms_still_there(earlier, map.states);
+        if (there.values.empty()) {
+            result.report.warnings.emplace_back(
+                "a quarter of the earlier result's floor or more is not free in this map, so that "
+                "it is no evidence: are both in the same map frame?");
+        } else {
+            to_cut.earlier = laid_out<std::uint16_t>(there, floor.layout, 0, executor);
+        }
+    }
+    RoomsCut cut = cut_into_rooms(std::move(to_cut), options.rooms, clock, executor, hierarchy);
     static_cast<CutReport&>(result.report) = std::move(cut.report);
     drop_outside(cut.rooms, floor.layout, map.states.box(), way);
     split_off_fans(cut.rooms, cut.clearance_m, map.states, floor.layout, map.resolution_m,
@@ -168,11 +162,11 @@ Segmentation segment_paper(const GridMap& map, const SegmentOptions& all_options
 }  // namespace
 
 Segmentation segment(const GridMap& map, const SegmentOptions& options, const RunOptions& run,
-                     std::span<const Point> trajectory) {
+                     std::span<const Point> trajectory, const Raster<std::uint16_t>& earlier) {
     StageClock clock(run.on_stage);
     const Executor executor = run.executor();
     Segmentation result = options.preset == Preset::rooms
-                              ? segment_rooms(map, options, trajectory, clock, executor)
+                              ? segment_rooms(map, options, trajectory, earlier, clock, executor)
                               : segment_paper(map, options, trajectory, clock, executor);
     result.report.stages_ms = clock.finish();
     return result;

@@ -161,7 +161,7 @@ TEST(PreviousResult, ReadsBackWhatWasWritten) {
 
 /// The earlier labels on the cells of `now`.
 auto labels_on(const PreviousResult& previous, const DrawnFloor& now) {
-    return on_cells_of(previous, now.map, now.segmentation.labels).labels.values;
+    return on_cells_of(previous, now.map).labels.values;
 }
 
 TEST(PreviousResult, RoomsAreFoundWhereTheyAreInTheMapFrame) {
@@ -196,7 +196,7 @@ TEST(PreviousResult, ACellHasTheRoomAtItsCentre) {
     map.map_from_image = {0.35, 0.1, 0.9};
     map.states = Raster<CellState>({-15, -9}, 40, 30);
     const Raster<std::uint16_t> cells(map.states.box());
-    const EarlierRooms earlier = on_cells_of(previous, map, cells);
+    const EarlierRooms earlier = on_cells_of(previous, map);
     EXPECT_EQ(earlier.resolution_m, 0.03);
     std::size_t num_labelled = 0;
     for (std::size_t i = 0; i < cells.values.size(); ++i) {
@@ -219,8 +219,7 @@ TEST(PreviousResult, RoomsAreTheSameAtAnotherResolution) {
     before.segmentation.rooms[0].id = RoomId{9};
     const PreviousResult previous = written(folder, before);
     const DrawnFloor coarse = drawn_floor({"bba", "bba", "cca"}, 2, 0.1);
-    const Tracked tracked =
-        track(coarse.segmentation, on_cells_of(previous, coarse.map, coarse.segmentation.labels));
+    const Tracked tracked = track(coarse.segmentation, on_cells_of(previous, coarse.map));
     ASSERT_EQ(tracked.events.size(), 3U);
     EXPECT_EQ(index(tracked.events[0].room), 2U);
     EXPECT_EQ(index(tracked.events[1].room), 9U);
