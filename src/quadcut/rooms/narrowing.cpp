@@ -30,34 +30,6 @@ double path_m(unsigned length, double step_m) {
     return static_cast<double>(length - kStart) * step_m / kStraight;
 }
 
-/// What a walk has come by so far; sums over the distances from the seed, in steps.
-struct WalkedPlaces {
-    float peak_m = 0.0F;
-    std::int64_t count = 0;
-    std::int64_t sum_xx = 0;
-    std::int64_t sum_xy = 0;
-    std::int64_t sum_yy = 0;
-
-    void add(float clearance_m, std::int64_t x, std::int64_t y) {
-        peak_m = std::max(peak_m, clearance_m);
-        ++count;
-        sum_xx += x * x;
-        sum_xy += x * y;
-        sum_yy += y * y;
-    }
-    /// All paths up to limit number i have been walked.
-    void note(std::size_t i, const Direction& along, double step_m, SideOfSaddle& side) const {
-        side.peak_m[i] = static_cast<double>(peak_m);
-        if (i == 0) return;
-        const auto num = static_cast<double>(std::max<std::int64_t>(1, count));
-        const double sum_squares = along.x * along.x * static_cast<double>(sum_xx) +
-                                   2.0 * along.x * along.y * static_cast<double>(sum_xy) +
-                                   along.y * along.y * static_cast<double>(sum_yy);
-        side.area_m2[i - 1] = num * step_m * step_m;
-        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / num) * step_m;
-    }
-};
-
 }  // namespace
 
 /// One walk: the window around its seed.
@@ -66,6 +38,7 @@ public:
     Walk(NarrowingGauge& gauge, Cell seed, const RegionsView& regions, WalkedSide& walked)
         : gauge_(gauge),
           clearance_(gauge.clearance_),
+          free_clearance_(gauge.free_clearance_),
           seed_(seed),
           seed_offset_(clearance_.offset(seed)),
           regions_(regions),
@@ -80,7 +53,7 @@ public:
     }
 
     /// Nearest places first (Dial's buckets).
-    void go(const Direction& along) {
+    void go() {
         reach(centre(), 0, kStart);
         for (unsigned way = 0; way < 8; ++way) {
             reach(ahead(centre(), way), way, kStart + (way < 4 ? kStraight : kDiagonal));
@@ -90,7 +63,7 @@ public:
         const auto note_up_to = [&](unsigned length) {
             for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length;
                  ++num_noted)
-                places_.note(num_noted, along, gauge_.step_m_, walked_.side);
+                walked_.within[num_noted] = so_far_;
         };
         for (unsigned length = kStart;
              length <= gauge_.longest_ && num_idle < gauge_.fronts_.size(); ++length) {
@@ -101,7 +74,7 @@ public:
                 if (length != kStart) go_on(at.place, at.way, length);
             }
             num_idle = front.empty() ? num_idle + 1 : 0;
-            if (num_idle == 0) walked_.side.reach_m = path_m(length, gauge_.step_m_);
+            if (num_idle == 0) walked_.reach_m = path_m(length, gauge_.step_m_);
             front.clear();
             note_up_to(length);
         }
@@ -161,7 +134,15 @@ private:
             {static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(way)});
     }
     void visit(unsigned place) {
-        places_.add(clearance_.values[offset_at(place)], x_of(place), y_of(place));
+        const std::size_t offset = offset_at(place);
+        const std::int64_t x = x_of(place);
+        const std::int64_t y = y_of(place);
+        so_far_.peak_m[0] = std::max(so_far_.peak_m[0], clearance_.values[offset]);
+        so_far_.peak_m[1] = std::max(so_far_.peak_m[1], free_clearance_.values[offset]);
+        ++so_far_.count;
+        so_far_.sum_xx += x * x;
+        so_far_.sum_xy += x * y;
+        so_far_.sum_yy += y * y;
     }
     /// On to the neighbours that cannot be reached as soon from the place before, unless it is
     /// around something blocked (Harabor and Grastien, "Online graph pruning for pathfinding on
@@ -194,21 +175,23 @@ private:
 
     NarrowingGauge& gauge_;
     const Raster<float>& clearance_;
+    const Raster<float>& free_clearance_;
     Cell seed_;
     std::size_t seed_offset_;
     bool is_all_inside_ = false;
     const RegionsView& regions_;
     std::uint32_t region_;
     WalkedSide& walked_;
-    WalkedPlaces places_;
+    WalkedSide::Within so_far_;
     std::array<std::int32_t, 8> steps_{};
     unsigned lowest_ = static_cast<unsigned>(-1);
     unsigned highest_ = 0;
 };
 
-NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resolution_m)
+NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m,
+                               const Raster<float>& free_clearance_m, double resolution_m)
     : clearance_(clearance_m),
-      resolution_m_(resolution_m),
+      free_clearance_(free_clearance_m),
       stride_cells_(stride_of(resolution_m)),
       step_m_(stride_cells_ * resolution_m),
       radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 2),
@@ -222,19 +205,33 @@ NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resoluti
 }
 
 /// No path is long enough to leave the window.
-WalkedSide NarrowingGauge::walk_outward(Cell seed, const Direction& along,
-                                        const RegionsView& regions) {
+WalkedSide NarrowingGauge::walk_outward(Cell seed, const RegionsView& regions) {
     WalkedSide walked;
+    walked.step_m = step_m_;
     // A cell that no longer belongs to a region has nothing behind it.
     if (regions.region_at(clearance_.offset(seed)) == 0) return walked;
-    Walk(*this, seed, regions, walked).go(along);
+    Walk(*this, seed, regions, walked).go();
+    std::sort(walked.met.begin(), walked.met.end());
+    walked.met.erase(std::unique(walked.met.begin(), walked.met.end()), walked.met.end());
     return walked;
 }
 
-Narrowing NarrowingGauge::measure(const Saddle& saddle, const RegionsView& regions) {
-    const Opening opening = measure_opening(clearance_, resolution_m_, saddle);
-    return put_together(saddle, opening, walk_outward(saddle.a, opening.along, regions).side,
-                        walk_outward(saddle.b, opening.along, regions).side, resolution_m_);
+SideOfSaddle side_of(const WalkedSide& walked, Among obstacles, const Direction& along) {
+    SideOfSaddle side;
+    side.reach_m = walked.reach_m;
+    for (std::size_t i = 0; i < walked.within.size(); ++i) {
+        const WalkedSide::Within& within = walked.within[i];
+        side.peak_m[i] = static_cast<double>(within.peak_m[obstacles == Among::walls ? 0 : 1]);
+        // Areas are noted at the last two only; the walk of no region has none.
+        if (i == 0 || within.count == 0) continue;
+        const auto count = static_cast<double>(within.count);
+        const double sum_squares = along.x * along.x * static_cast<double>(within.sum_xx) +
+                                   2.0 * along.x * along.y * static_cast<double>(within.sum_xy) +
+                                   along.y * along.y * static_cast<double>(within.sum_yy);
+        side.area_m2[i - 1] = count * walked.step_m * walked.step_m;
+        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / count) * walked.step_m;
+    }
+    return side;
 }
 
 Narrowing put_together(const Saddle& saddle, const Opening& opening, const SideOfSaddle& side_a,
