@@ -52,34 +52,15 @@ public:
                          clearance_.contains({seed.x + reach, seed.y + reach});
     }
 
-    /// Nearest places first (Dial's buckets).
+    /// Most of a region is reached by ways that no place is in the way of, which are as long as
+    /// they can be short: a look along the rows. What is left is walked to.
     void go() {
-        reach(centre(), 0, kStart);
-        for (unsigned way = 0; way < 8; ++way) {
-            reach(ahead(centre(), way), way, kStart + (way < 4 ? kStraight : kDiagonal));
+        look_around();
+        walk_behind();
+        for (std::size_t i = 0; i < walked_.within.size(); ++i) {
+            if (i > 0) add(walked_.within[i - 1], walked_.within[i]);
         }
-        std::size_t num_noted = 0;
-        std::size_t num_idle = 0;
-        const auto note_up_to = [&](unsigned length) {
-            for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length;
-                 ++num_noted)
-                walked_.within[num_noted] = so_far_;
-        };
-        for (unsigned length = kStart;
-             length <= gauge_.longest_ && num_idle < gauge_.fronts_.size(); ++length) {
-            std::vector<Reached>& front = gauge_.fronts_[length % gauge_.fronts_.size()];
-            for (const Reached at : front) {
-                if (gauge_.length_[at.place] != length) continue;
-                visit(at.place);
-                if (length != kStart) go_on(at.place, at.way, length);
-            }
-            num_idle = front.empty() ? num_idle + 1 : 0;
-            if (num_idle == 0) walked_.reach_m = path_m(length, gauge_.step_m_);
-            front.clear();
-            note_up_to(length);
-        }
-        note_up_to(gauge_.longest_);
-        for (std::vector<Reached>& front : gauge_.fronts_) front.clear();
+        walked_.reach_m = path_m(most_, gauge_.step_m_);
         std::fill(gauge_.length_.begin() + lowest_, gauge_.length_.begin() + highest_ + 1, kUnseen);
     }
 
@@ -133,16 +114,123 @@ private:
         gauge_.fronts_[length % gauge_.fronts_.size()].push_back(
             {static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(way)});
     }
-    void visit(unsigned place) {
+    void visit(unsigned place, unsigned length) {
         const std::size_t offset = offset_at(place);
         const std::int64_t x = x_of(place);
         const std::int64_t y = y_of(place);
-        so_far_.peak_m[0] = std::max(so_far_.peak_m[0], clearance_.values[offset]);
-        so_far_.peak_m[1] = std::max(so_far_.peak_m[1], free_clearance_.values[offset]);
-        ++so_far_.count;
-        so_far_.sum_xx += x * x;
-        so_far_.sum_xy += x * y;
-        so_far_.sum_yy += y * y;
+        const std::size_t i = length <= gauge_.noted_at_[0]   ? 0
+                              : length <= gauge_.noted_at_[1] ? 1
+                                                              : 2;
+        WalkedSide::Within& within = walked_.within[i];
+        within.peak_m[0] = std::max(within.peak_m[0], clearance_.values[offset]);
+        within.peak_m[1] = std::max(within.peak_m[1], free_clearance_.values[offset]);
+        ++within.count;
+        within.sum_xx += x * x;
+        within.sum_xy += x * y;
+        within.sum_yy += y * y;
+        most_ = std::max(most_, length);
+    }
+    /// What lies nearer lies within the larger distance, too.
+    static void add(const WalkedSide::Within& nearer, WalkedSide::Within& within) {
+        for (std::size_t k = 0; k < within.peak_m.size(); ++k) {
+            within.peak_m[k] = std::max(within.peak_m[k], nearer.peak_m[k]);
+        }
+        within.count += nearer.count;
+        within.sum_xx += nearer.sum_xx;
+        within.sum_xy += nearer.sum_xy;
+        within.sum_yy += nearer.sum_yy;
+    }
+
+    [[nodiscard]] bool is_reached(unsigned place) const {
+        const std::uint16_t length = gauge_.length_[place];
+        return length != kBlocked && length < kUnreached;
+    }
+    /// The places with a shortest way from the seed all of whose places lie in the region.
+    void look_around() {
+        gauge_.length_[centre()] = look_at(centre());
+        settle(centre(), kStart);
+        // How far the row before goes, to the right and to the left.
+        std::array<std::int32_t, 2> first{};
+        look_along(0, 1, 1, first[0]);
+        look_along(0, 1, -1, first[1]);
+        for (const int up : {1, -1}) {
+            std::array<std::int32_t, 2> ends = first;
+            for (std::int32_t y = 1; y <= gauge_.radius_; ++y) {
+                const bool is_any_right = look_along(y, up, 1, ends[0]);
+                const bool is_any_left = look_along(y, up, -1, ends[1]);
+                if (!is_any_right && !is_any_left) break;
+            }
+        }
+    }
+    /// One half of a row, from the seed's column outward; `end` is as far as the row before went,
+    /// and then as far as this one. Whether anything is reached.
+    bool look_along(std::int32_t y, std::int32_t up, std::int32_t side, std::int32_t& end) {
+        const auto row = static_cast<std::int32_t>(centre()) + y * up * steps_[1];
+        const std::int32_t back = -up * steps_[1];
+        const auto length_of = [&](std::int32_t x) {
+            return kStart + kStraight * static_cast<unsigned>(std::max(x, y)) +
+                   (kDiagonal - kStraight) * static_cast<unsigned>(std::min(x, y));
+        };
+        std::int32_t last = -1;
+        // The seed is settled, and its column is looked at with the right half.
+        for (std::int32_t x = side > 0 && y > 0 ? 0 : 1; x <= std::max(end, last) + 1; ++x) {
+            const auto place = static_cast<unsigned>(row + side * x);
+            const bool is_from_corner =
+                x > 0 && y > 0 && is_reached(place + static_cast<unsigned>(back - side));
+            const bool is_from_side = x > y && is_reached(place - static_cast<unsigned>(side));
+            const bool is_from_below = y > x && is_reached(place + static_cast<unsigned>(back));
+            if (!is_from_corner && !is_from_side && !is_from_below) continue;
+            const unsigned length = length_of(x);
+            if (length > gauge_.longest_) break;
+            if (is_blocked(place)) continue;
+            settle(place, length);
+            last = x;
+        }
+        end = std::max(last, 0);
+        return last >= 0;
+    }
+    void settle(unsigned place, unsigned length) {
+        gauge_.length_[place] = static_cast<std::uint16_t>(length);
+        visit(place, length);
+        gauge_.settled_.push_back(static_cast<std::uint16_t>(place));
+    }
+
+    /// Ways around corners, nearest places first (Dial's buckets).
+    void walk_behind() {
+        std::vector<Start>& starts = gauge_.starts_;
+        for (const unsigned place : gauge_.settled_) {
+            for (unsigned way = 0; way < 8; ++way) {
+                const unsigned next = ahead(place, way);
+                if (gauge_.length_[next] < kUnreached || is_blocked(next)) continue;
+                const unsigned length = gauge_.length_[place] + (way < 4 ? kStraight : kDiagonal);
+                starts.push_back({length, next, way});
+            }
+        }
+        gauge_.settled_.clear();
+        std::stable_sort(starts.begin(), starts.end(),
+                         [](const Start& p, const Start& q) { return p.length < q.length; });
+        auto start = starts.begin();
+        std::size_t num_idle = gauge_.fronts_.size();
+        for (unsigned length = kStart; length <= gauge_.longest_; ++length) {
+            if (num_idle >= gauge_.fronts_.size()) {
+                if (start == starts.end()) break;
+                length = start->length;
+                if (length > gauge_.longest_) break;
+            }
+            for (; start != starts.end() && start->length == length; ++start) {
+                reach(start->place, start->way, length);
+            }
+            std::vector<Reached>& front = gauge_.fronts_[length % gauge_.fronts_.size()];
+            for (const Reached at : front) {
+                if (gauge_.length_[at.place] != length) continue;
+                visit(at.place, length);
+                go_on(at.place, at.way, length);
+            }
+            num_idle = front.empty() ? num_idle + 1 : 0;
+            front.clear();
+        }
+        starts.clear();
+        for (std::vector<Reached>& front : gauge_.fronts_) front.clear();
     }
     /// On to the neighbours that cannot be reached as soon from the place before, unless it is
     /// around something blocked (Harabor and Grastien, "Online graph pruning for pathfinding on
@@ -182,7 +270,7 @@ private:
     const RegionsView& regions_;
     std::uint32_t region_;
     WalkedSide& walked_;
-    WalkedSide::Within so_far_;
+    unsigned most_ = kStart;
     std::array<std::int32_t, 8> steps_{};
     unsigned lowest_ = static_cast<unsigned>(-1);
     unsigned highest_ = 0;

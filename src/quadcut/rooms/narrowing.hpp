@@ -108,6 +108,12 @@ private:
         std::uint16_t place = 0;
         std::uint16_t way = 0;
     };
+    /// A way on from a settled place.
+    struct Start {
+        unsigned length = 0;
+        unsigned place = 0;
+        unsigned way = 0;
+    };
     class Walk;
 
     const Raster<float>& clearance_;
@@ -124,6 +130,8 @@ private:
     std::vector<std::uint16_t> length_;
     /// The places to visit next by path length: no step is longer than 7.
     std::array<std::vector<Reached>, 8> fronts_;
+    std::vector<std::uint16_t> settled_;
+    std::vector<Start> starts_;
 };
 
 /// Both sides and the opening of a saddle put together.
