@@ -150,6 +150,7 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
     }
     RegionGraph regions(labels, num_regions, ground, executor);
     for (std::uint32_t i = 0; i < beyond.size(); ++i) regions.add_beyond(i + 1, beyond[i]);
+    regions.describe_all(executor);
     std::vector<Found*> order;
     for (Found& opening : openings) order.push_back(&opening);
     const auto block = [around = labels.box()](const Found* opening) {

@@ -14,6 +14,7 @@ namespace quadcut {
 namespace {
 
 constexpr double kLineM = 6.0;
+constexpr std::size_t kShapesPerChunk = 16;
 
 std::size_t index_of(Among obstacles) { return obstacles == Among::walls ? 0 : 1; }
 
@@ -36,7 +37,8 @@ void RegionGraph::Extent::add(const Extent& other) {
     free_peak_m = std::max(free_peak_m, other.free_peak_m);
     num_openings += other.num_openings;
     is_cluttered = is_cluttered || other.is_cluttered;
-    hull = hull_of(hull, other.hull);
+    corners.insert(corners.end(), other.corners.begin(), other.corners.end());
+    is_described = false;
 }
 
 RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
@@ -56,7 +58,6 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     for (std::uint32_t piece = 1; piece <= num_pieces; ++piece) members_[piece] = {piece};
     struct Piece : Extent {
         HullOfRows rows;
-        Hull before;
     };
     const auto width = static_cast<std::size_t>(pieces.width);
     auto extents = tally_by_label<Piece>(
@@ -94,16 +95,12 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
             }
         },
         [](Piece& piece, Piece& other) {
-            piece.before = hull_of(piece.before, other.rows.take());
+            other.corners = other.rows.take().corners;
             piece.add(other);
         });
-    for (std::size_t i = 0; i < extents.size(); ++i) {
-        extents[i].hull = hull_of(extents[i].before, extents[i].rows.take());
-        extent_[i] = extents[i];
-    }
+    for (std::size_t i = 0; i < extents.size(); ++i) extent_[i] = std::move(extents[i]);
     for (Extent& extent : extent_) {
         extent.area_m2 = extent.num_cells * ground.resolution_m * ground.resolution_m;
-        extent.shape = shape_of(extent, extent.hull);
     }
 }
 
@@ -128,7 +125,6 @@ void RegionGraph::join(std::uint32_t a, std::uint32_t b) {
     members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
     members_[b].clear();
     extent_[a].add(extent_[b]);
-    extent_[a].shape = shape_of(extent_[a], extent_[a].hull);
     ++version_[a];
 }
 
@@ -167,12 +163,18 @@ void RegionGraph::collect_unseen(const RegionPair& pair, Among obstacles, Unseen
 void RegionGraph::look_at(std::span<const RegionPair> pairs, const Executor& executor) {
     Unseen unseen;
     for (const RegionPair& pair : pairs) {
+        for (const std::uint32_t region : {pair.first, pair.second}) {
+            if (extent_[region].is_described) continue;
+            extent_[region].is_described = true;
+            unseen.shapes.push_back(&extent_[region]);
+        }
         collect_unseen(pair, Among::walls, unseen);
         if (is_cluttered(pair)) collect_unseen(pair, Among::all, unseen);
     }
     // A gauge for each thread. Some walks need far longer than others: one is taken at a time.
     const std::size_t num_walks = unseen.walks.size();
-    const std::size_t num_all = num_walks + unseen.openings.size();
+    const std::size_t num_measured = num_walks + unseen.openings.size();
+    const std::size_t num_all = num_measured + unseen.shapes.size();
     const std::size_t num_parts =
         std::min(num_all, static_cast<std::size_t>(std::max(1, executor.num_threads)));
     while (gauges_.size() < num_parts) gauges_.push_back(gauge());
@@ -182,6 +184,8 @@ void RegionGraph::look_at(std::span<const RegionPair> pairs, const Executor& exe
             if (i < num_walks) {
                 const auto& [seed, walk] = unseen.walks[i];
                 *walk = gauges_[part].walk_outward(seed, view());
+            } else if (i >= num_measured) {
+                describe(*unseen.shapes[i - num_measured]);
             } else {
                 const auto& [obstacles, saddle, opening] = unseen.openings[i - num_walks];
                 *opening = measure_opening(clearance(obstacles), ground_.resolution_m, *saddle);
@@ -236,6 +240,22 @@ BorderMeasure RegionGraph::measure_at(const Saddle& saddle, const Saddle& free_s
     }
     describe(pair, num_openings(pair.first), num_openings(pair.second), measure);
     return measure;
+}
+
+void RegionGraph::describe_all(const Executor& executor) {
+    parallel_for(executor, extent_.size(), kShapesPerChunk,
+                 [&](std::size_t first, std::size_t last) {
+                     for (std::size_t i = first; i < last; ++i) {
+                         if (!extent_[i].is_described) describe(extent_[i]);
+                     }
+                 });
+}
+
+void RegionGraph::describe(Extent& extent) const {
+    extent.hull = hull_of(std::move(extent.corners));
+    extent.corners = extent.hull.corners;
+    extent.shape = shape_of(extent, extent.hull);
+    extent.is_described = true;
 }
 
 RegionShape RegionGraph::shape_of(const Sums& extent, const Hull& hull) const {

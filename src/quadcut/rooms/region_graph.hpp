@@ -135,8 +135,10 @@ public:
     [[nodiscard]] BorderMeasure measured(const RegionPair& pair, const NumOpenings& openings_a,
                                          const NumOpenings& openings_b) const;
     /// The same as measure() at other saddles between them, whose cell a lies in region a.
+    /// @pre Both regions were described.
     [[nodiscard]] BorderMeasure measure_at(const Saddle& saddle, const Saddle& free_saddle,
                                            const RegionPair& pair, NarrowingGauge& gauge) const;
+    void describe_all(const Executor& executor);
     [[nodiscard]] NarrowingGauge gauge() const {
         return {ground_.clearance_m, ground_.free_clearance_m, ground_.resolution_m};
     }
@@ -164,6 +166,10 @@ private:
         std::size_t num_openings = 0;
         /// Whether there is furniture that makes the clearance another.
         bool is_cluttered = false;
+        /// The hull's, and perhaps more.
+        std::vector<Point> corners;
+        /// Whether these two are made, and as the region is now.
+        bool is_described = false;
         Hull hull;
         RegionShape shape;
 
@@ -174,12 +180,14 @@ private:
     struct Unseen {
         std::vector<std::tuple<Among, const Saddle*, Opening*>> openings;
         std::vector<std::pair<Cell, WalkedSide*>> walks;
+        std::vector<Extent*> shapes;
     };
 
     [[nodiscard]] RegionsView view() const { return {pieces_, region_}; }
     [[nodiscard]] const Raster<float>& clearance(Among obstacles) const {
         return obstacles == Among::walls ? ground_.clearance_m : ground_.free_clearance_m;
     }
+    void describe(Extent& extent) const;
     [[nodiscard]] RegionShape shape_of(const Sums& extent, const Hull& hull) const;
     /// Whether furniture makes the clearance another.
     [[nodiscard]] bool is_cluttered(const RegionPair& pair) const {
