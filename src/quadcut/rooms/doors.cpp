@@ -97,9 +97,11 @@ struct Found {
     Door door;
 };
 
-Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOutFrame& frame) {
+Door measure_door(const Found& opening, const RegionGraph& regions, NarrowingGauge& gauge,
+                  const LaidOutFrame& frame) {
     const auto [a, b] = opening.pair;
-    const BorderMeasure border = regions.measure_at(opening.saddle, opening.free_saddle, a, b);
+    const BorderMeasure border =
+        regions.measure_at(opening.saddle, opening.free_saddle, opening.pair, gauge);
     const Narrowing& narrowing = border.narrowing;
     const std::array<Cell, 2> jambs =
         narrowing.opening.has_jambs ? narrowing.opening.jambs : ends_of(opening.contacts);
@@ -121,8 +123,8 @@ Door measure_door(const Found& opening, const RegionGraph& regions, const LaidOu
 }  // namespace
 
 std::vector<Door> find_doors(const Raster<std::uint32_t>& labels, std::uint32_t num_regions,
-                             const Ground& ground, const LaidOutFrame& frame,
-                             double min_width_m, const Executor& executor) {
+                             const Ground& ground, const LaidOutFrame& frame, double min_width_m,
+                             const Executor& executor) {
     std::vector<Door> doors;
     for (const PlacedDoor& found : find_doors_in(labels.box(), {}, labels, num_regions, ground,
                                                  frame, min_width_m, executor)) {
@@ -148,6 +150,7 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
     }
     RegionGraph regions(labels, num_regions, ground, executor);
     for (std::uint32_t i = 0; i < beyond.size(); ++i) regions.add_beyond(i + 1, beyond[i]);
+    regions.describe_all(executor);
     std::vector<Found*> order;
     for (Found& opening : openings) order.push_back(&opening);
     const auto block = [around = labels.box()](const Found* opening) {
@@ -157,8 +160,9 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
               [&](const Found* p, const Found* q) { return block(p) < block(q); });
     parallel_for(executor, order.size(), kOpeningsPerChunk,
                  [&](std::size_t first, std::size_t last) {
+                     NarrowingGauge gauge = regions.gauge();
                      for (std::size_t i = first; i < last; ++i) {
-                         order[i]->door = measure_door(*order[i], regions, frame);
+                         order[i]->door = measure_door(*order[i], regions, gauge, frame);
                      }
                  });
     std::vector<PlacedDoor> doors;

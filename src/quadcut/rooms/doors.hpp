@@ -22,9 +22,8 @@ inline constexpr double kMinDoorM = 0.3;
 /// Openings narrower than `min_width_m` are left out. Ordered by a, b, then first cell.
 /// O(cells + 5 m around each opening).
 [[nodiscard]] std::vector<Door> find_doors(const Raster<std::uint32_t>& labels,
-                                           std::uint32_t num_regions,
-                                           const Ground& ground, const LaidOutFrame& frame,
-                                           double min_width_m,
+                                           std::uint32_t num_regions, const Ground& ground,
+                                           const LaidOutFrame& frame, double min_width_m,
                                            const Executor& executor = {});
 
 /// A door, and the two cells beside each other, one in each of its rooms, where it is widest.
@@ -40,8 +39,7 @@ struct PlacedDoor {
 /// each of these).
 [[nodiscard]] std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> beyond,
                                                     const Raster<std::uint32_t>& labels,
-                                                    std::uint32_t num_regions,
-                                                    const Ground& ground,
+                                                    std::uint32_t num_regions, const Ground& ground,
                                                     const LaidOutFrame& frame, double min_width_m,
                                                     const Executor& executor = {});
 

@@ -17,9 +17,11 @@ constexpr double kLogOddsOfGranularity = 12.0;
 /// At the default granularity a cut needs somewhat more than even odds: in maps of few and noisy
 /// scans much looks like a door that is none.
 constexpr double kDefaultLogOdds = 0.6;
+/// Below all log-odds of what is measured.
 constexpr double kNoDoor = -100.0;
 /// Where two rooms have been, the opening between may be so much wider.
 constexpr double kWiderOfEarlier = 1.25;
+constexpr std::size_t kBordersPerChunk = 4;
 
 }  // namespace
 
@@ -37,7 +39,6 @@ Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
       max_width_m_(max_width_m),
       executor_(executor),
       earlier_(std::move(earlier)) {
-    regions_.measure_all(max_width_m_, executor_);
     for (std::uint32_t region = 1; region <= regions.num_pieces(); ++region) {
         for (const auto& [other, saddle] : regions.saddles(region)) {
             if (other > region) push(region, other);
@@ -48,15 +49,40 @@ Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
 void Fuser::push(std::uint32_t a, std::uint32_t b) {
     // A pair has the same place in the order from whichever side it is looked at.
     if (a > b) std::swap(a, b);
-    queue_.push({log_odds(a, b), a, b, regions_.version(a), regions_.version(b)});
+    const Candidate candidate{kNoDoor, a, b, regions_.version(a), regions_.version(b)};
+    const double width_m = 2.0 * static_cast<double>(regions_.saddles(a).at(b).clearance_m);
+    const double earlier = earlier_.log_odds(regions_, a, b);
+    if (width_m > max_width_m_ * (earlier > 0.0 ? kWiderOfEarlier : 1.0)) {
+        queue_.push(candidate);
+    } else {
+        waiting_.push_back({candidate, regions_.num_openings(a), regions_.num_openings(b), earlier});
+    }
 }
 
-double Fuser::log_odds(std::uint32_t a, std::uint32_t b) {
-    const Saddle& saddle = regions_.saddles(a).at(b);
-    const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
-    const double earlier = earlier_.log_odds(regions_, a, b);
-    const double max_width_m = max_width_m_ * (earlier > 0.0 ? kWiderOfEarlier : 1.0);
-    return width_m > max_width_m ? kNoDoor : door_log_odds(regions_.measure(a, b)) + earlier;
+bool Fuser::is_current(const Candidate& candidate) const {
+    return regions_.is_region(candidate.a) && regions_.is_region(candidate.b) &&
+           regions_.version(candidate.a) == candidate.version_a &&
+           regions_.version(candidate.b) == candidate.version_b;
+}
+
+void Fuser::measure_waiting() {
+    std::erase_if(waiting_, [&](const Waiting& waiting) { return !is_current(waiting.candidate); });
+    std::vector<RegionPair> pairs;
+    for (const Waiting& waiting : waiting_) {
+        pairs.emplace_back(waiting.candidate.a, waiting.candidate.b);
+    }
+    regions_.look_at(pairs, executor_);
+    parallel_for(
+        executor_, pairs.size(), kBordersPerChunk, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                Waiting& waiting = waiting_[i];
+                waiting.candidate.log_odds =
+                    waiting.earlier + door_log_odds(regions_.measured(
+                                          pairs[i], waiting.openings_a, waiting.openings_b));
+            }
+        });
+    for (const Waiting& waiting : waiting_) queue_.push(waiting.candidate);
+    waiting_.clear();
 }
 
 void Fuser::fuse_below(double min_log_odds) {
@@ -64,21 +90,18 @@ void Fuser::fuse_below(double min_log_odds) {
 }
 
 bool Fuser::fuse_next_below(double min_log_odds) {
-    while (!queue_.empty() && queue_.top().log_odds < min_log_odds) {
+    while (true) {
+        if (queue_.empty() || queue_.top().log_odds > kNoDoor) measure_waiting();
+        if (queue_.empty() || queue_.top().log_odds >= min_log_odds) return false;
         const Candidate top = queue_.top();
         queue_.pop();
-        if (!regions_.is_region(top.a) || !regions_.is_region(top.b) ||
-            regions_.version(top.a) != top.version_a || regions_.version(top.b) != top.version_b) {
-            continue;
-        }
+        if (!is_current(top)) continue;
         const bool a_larger = regions_.area_m2(top.a) >= regions_.area_m2(top.b);
         const std::uint32_t heir = a_larger ? top.a : top.b;
         regions_.join(heir, a_larger ? top.b : top.a);
-        regions_.measure_around(heir, max_width_m_, executor_);
         for (const auto& [other, saddle] : regions_.saddles(heir)) push(heir, other);
         return true;
     }
-    return false;
 }
 
 void fuse_small_regions(RegionGraph& regions, double min_area_m2, double min_width_m,

@@ -7,6 +7,7 @@
 #include <queue>
 #include <span>
 #include <tuple>
+#include <vector>
 
 #include "quadcut/map/raster.hpp"
 #include "quadcut/rooms/previous.hpp"
@@ -49,14 +50,26 @@ private:
         }
     };
 
+    /// What may have to be measured: only when all is joined that is too wide to be a door.
+    struct Waiting {
+        Candidate candidate;
+        /// As they are when the candidate is found.
+        NumOpenings openings_a{};
+        NumOpenings openings_b{};
+        /// What an earlier result adds to its log-odds.
+        double earlier = 0.0;
+    };
+
     void push(std::uint32_t a, std::uint32_t b);
-    [[nodiscard]] double log_odds(std::uint32_t a, std::uint32_t b);
+    void measure_waiting();
+    [[nodiscard]] bool is_current(const Candidate& candidate) const;
 
     RegionGraph& regions_;
     double max_width_m_;
     Executor executor_;
     EarlierDecisions earlier_;
     std::priority_queue<Candidate> queue_;
+    std::vector<Waiting> waiting_;
 };
 
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest

@@ -37,9 +37,16 @@ template <typename Tally, typename Label, typename Add, typename Merge>
     const auto width = static_cast<std::size_t>(labels.width);
     const auto height = static_cast<std::size_t>(labels.height);
     const std::size_t num_rows = rows_per_part(height);
-    std::vector<std::vector<Tally>> parts((height + num_rows - 1) / num_rows);
-    parallel_for(executor, height, num_rows, [&](std::size_t first, std::size_t last) {
+    // Of the labels that a part has, in the order in which they come: of thousands it has few.
+    struct Part {
+        std::vector<std::size_t> labels;
         std::vector<Tally> tallies;
+    };
+    std::vector<Part> parts((height + num_rows - 1) / num_rows);
+    parallel_for(executor, height, num_rows, [&](std::size_t first, std::size_t last) {
+        Part part;
+        // One more than the place; 0 = none yet.
+        std::vector<std::uint32_t> place_of;
         for (std::size_t y = first; y < last; ++y) {
             const Label* const row = labels.values.data() + y * width;
             for (std::size_t x = 0; x < width;) {
@@ -48,16 +55,24 @@ template <typename Tally, typename Label, typename Add, typename Merge>
                 while (++x < width && row[x] == label) {
                 }
                 if (label == 0) continue;
-                if (label >= tallies.size()) tallies.resize(label + 1);
-                add(tallies[label], LabelRun{begin, y, y * width + begin, x - begin});
+                if (label >= place_of.size()) place_of.resize(label + 1, 0);
+                if (place_of[label] == 0) {
+                    part.labels.push_back(label);
+                    part.tallies.emplace_back();
+                    place_of[label] = static_cast<std::uint32_t>(part.labels.size());
+                }
+                add(part.tallies[place_of[label] - 1],
+                    LabelRun{begin, y, y * width + begin, x - begin});
             }
         }
-        parts[first / num_rows] = std::move(tallies);
+        parts[first / num_rows] = std::move(part);
     });
     std::vector<Tally> all(1);
-    for (std::vector<Tally>& part : parts) {
-        if (part.size() > all.size()) all.resize(part.size());
-        for (std::size_t label = 1; label < part.size(); ++label) merge(all[label], part[label]);
+    for (Part& part : parts) {
+        for (std::size_t i = 0; i < part.labels.size(); ++i) {
+            if (part.labels[i] >= all.size()) all.resize(part.labels[i] + 1);
+            merge(all[part.labels[i]], part.tallies[i]);
+        }
     }
     return all;
 }

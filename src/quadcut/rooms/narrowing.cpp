@@ -30,34 +30,6 @@ double path_m(unsigned length, double step_m) {
     return static_cast<double>(length - kStart) * step_m / kStraight;
 }
 
-/// What a walk has come by so far; sums over the distances from the seed, in steps.
-struct WalkedPlaces {
-    float peak_m = 0.0F;
-    std::int64_t count = 0;
-    std::int64_t sum_xx = 0;
-    std::int64_t sum_xy = 0;
-    std::int64_t sum_yy = 0;
-
-    void add(float clearance_m, std::int64_t x, std::int64_t y) {
-        peak_m = std::max(peak_m, clearance_m);
-        ++count;
-        sum_xx += x * x;
-        sum_xy += x * y;
-        sum_yy += y * y;
-    }
-    /// All paths up to limit number i have been walked.
-    void note(std::size_t i, const Direction& along, double step_m, SideOfSaddle& side) const {
-        side.peak_m[i] = static_cast<double>(peak_m);
-        if (i == 0) return;
-        const auto num = static_cast<double>(std::max<std::int64_t>(1, count));
-        const double sum_squares = along.x * along.x * static_cast<double>(sum_xx) +
-                                   2.0 * along.x * along.y * static_cast<double>(sum_xy) +
-                                   along.y * along.y * static_cast<double>(sum_yy);
-        side.area_m2[i - 1] = num * step_m * step_m;
-        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / num) * step_m;
-    }
-};
-
 }  // namespace
 
 /// One walk: the window around its seed.
@@ -66,6 +38,7 @@ public:
     Walk(NarrowingGauge& gauge, Cell seed, const RegionsView& regions, WalkedSide& walked)
         : gauge_(gauge),
           clearance_(gauge.clearance_),
+          free_clearance_(gauge.free_clearance_),
           seed_(seed),
           seed_offset_(clearance_.offset(seed)),
           regions_(regions),
@@ -79,34 +52,15 @@ public:
                          clearance_.contains({seed.x + reach, seed.y + reach});
     }
 
-    /// Nearest places first (Dial's buckets).
-    void go(const Direction& along) {
-        reach(centre(), 0, kStart);
-        for (unsigned way = 0; way < 8; ++way) {
-            reach(ahead(centre(), way), way, kStart + (way < 4 ? kStraight : kDiagonal));
+    /// Most of a region is reached by ways that no place is in the way of, which are as long as
+    /// they can be short: a look along the rows. What is left is walked to.
+    void go() {
+        look_around();
+        walk_behind();
+        for (std::size_t i = 0; i < walked_.within.size(); ++i) {
+            if (i > 0) add(walked_.within[i - 1], walked_.within[i]);
         }
-        std::size_t num_noted = 0;
-        std::size_t num_idle = 0;
-        const auto note_up_to = [&](unsigned length) {
-            for (; num_noted < kWithinM.size() && gauge_.noted_at_[num_noted] <= length;
-                 ++num_noted)
-                places_.note(num_noted, along, gauge_.step_m_, walked_.side);
-        };
-        for (unsigned length = kStart;
-             length <= gauge_.longest_ && num_idle < gauge_.fronts_.size(); ++length) {
-            std::vector<Reached>& front = gauge_.fronts_[length % gauge_.fronts_.size()];
-            for (const Reached at : front) {
-                if (gauge_.length_[at.place] != length) continue;
-                visit(at.place);
-                if (length != kStart) go_on(at.place, at.way, length);
-            }
-            num_idle = front.empty() ? num_idle + 1 : 0;
-            if (num_idle == 0) walked_.side.reach_m = path_m(length, gauge_.step_m_);
-            front.clear();
-            note_up_to(length);
-        }
-        note_up_to(gauge_.longest_);
-        for (std::vector<Reached>& front : gauge_.fronts_) front.clear();
+        walked_.reach_m = path_m(most_, gauge_.step_m_);
         std::fill(gauge_.length_.begin() + lowest_, gauge_.length_.begin() + highest_ + 1, kUnseen);
     }
 
@@ -160,8 +114,123 @@ private:
         gauge_.fronts_[length % gauge_.fronts_.size()].push_back(
             {static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(way)});
     }
-    void visit(unsigned place) {
-        places_.add(clearance_.values[offset_at(place)], x_of(place), y_of(place));
+    void visit(unsigned place, unsigned length) {
+        const std::size_t offset = offset_at(place);
+        const std::int64_t x = x_of(place);
+        const std::int64_t y = y_of(place);
+        const std::size_t i = length <= gauge_.noted_at_[0]   ? 0
+                              : length <= gauge_.noted_at_[1] ? 1
+                                                              : 2;
+        WalkedSide::Within& within = walked_.within[i];
+        within.peak_m[0] = std::max(within.peak_m[0], clearance_.values[offset]);
+        within.peak_m[1] = std::max(within.peak_m[1], free_clearance_.values[offset]);
+        ++within.count;
+        within.sum_xx += x * x;
+        within.sum_xy += x * y;
+        within.sum_yy += y * y;
+        most_ = std::max(most_, length);
+    }
+    /// What lies nearer lies within the larger distance, too.
+    static void add(const WalkedSide::Within& nearer, WalkedSide::Within& within) {
+        for (std::size_t k = 0; k < within.peak_m.size(); ++k) {
+            within.peak_m[k] = std::max(within.peak_m[k], nearer.peak_m[k]);
+        }
+        within.count += nearer.count;
+        within.sum_xx += nearer.sum_xx;
+        within.sum_xy += nearer.sum_xy;
+        within.sum_yy += nearer.sum_yy;
+    }
+
+    [[nodiscard]] bool is_reached(unsigned place) const {
+        const std::uint16_t length = gauge_.length_[place];
+        return length != kBlocked && length < kUnreached;
+    }
+    /// The places with a shortest way from the seed all of whose places lie in the region.
+    void look_around() {
+        gauge_.length_[centre()] = look_at(centre());
+        settle(centre(), kStart);
+        // How far the row before goes, to the right and to the left.
+        std::array<std::int32_t, 2> first{};
+        look_along(0, 1, 1, first[0]);
+        look_along(0, 1, -1, first[1]);
+        for (const int up : {1, -1}) {
+            std::array<std::int32_t, 2> ends = first;
+            for (std::int32_t y = 1; y <= gauge_.radius_; ++y) {
+                const bool is_any_right = look_along(y, up, 1, ends[0]);
+                const bool is_any_left = look_along(y, up, -1, ends[1]);
+                if (!is_any_right && !is_any_left) break;
+            }
+        }
+    }
+    /// One half of a row, from the seed's column outward; `end` is as far as the row before went,
+    /// and then as far as this one. Whether anything is reached.
+    bool look_along(std::int32_t y, std::int32_t up, std::int32_t side, std::int32_t& end) {
+        const auto row = static_cast<std::int32_t>(centre()) + y * up * steps_[1];
+        const std::int32_t back = -up * steps_[1];
+        const auto length_of = [&](std::int32_t x) {
+            return kStart + kStraight * static_cast<unsigned>(std::max(x, y)) +
+                   (kDiagonal - kStraight) * static_cast<unsigned>(std::min(x, y));
+        };
+        std::int32_t last = -1;
+        // The seed is settled, and its column is looked at with the right half.
+        for (std::int32_t x = side > 0 && y > 0 ? 0 : 1; x <= std::max(end, last) + 1; ++x) {
+            const auto place = static_cast<unsigned>(row + side * x);
+            const bool is_from_corner =
+                x > 0 && y > 0 && is_reached(place + static_cast<unsigned>(back - side));
+            const bool is_from_side = x > y && is_reached(place - static_cast<unsigned>(side));
+            const bool is_from_below = y > x && is_reached(place + static_cast<unsigned>(back));
+            if (!is_from_corner && !is_from_side && !is_from_below) continue;
+            const unsigned length = length_of(x);
+            if (length > gauge_.longest_) break;
+            if (is_blocked(place)) continue;
+            settle(place, length);
+            last = x;
+        }
+        end = std::max(last, 0);
+        return last >= 0;
+    }
+    void settle(unsigned place, unsigned length) {
+        gauge_.length_[place] = static_cast<std::uint16_t>(length);
+        visit(place, length);
+        gauge_.settled_.push_back(static_cast<std::uint16_t>(place));
+    }
+
+    /// Ways around corners, nearest places first (Dial's buckets).
+    void walk_behind() {
+        std::vector<Start>& starts = gauge_.starts_;
+        for (const unsigned place : gauge_.settled_) {
+            for (unsigned way = 0; way < 8; ++way) {
+                const unsigned next = ahead(place, way);
+                if (gauge_.length_[next] < kUnreached || is_blocked(next)) continue;
+                const unsigned length = gauge_.length_[place] + (way < 4 ? kStraight : kDiagonal);
+                starts.push_back({length, next, way});
+            }
+        }
+        gauge_.settled_.clear();
+        std::stable_sort(starts.begin(), starts.end(),
+                         [](const Start& p, const Start& q) { return p.length < q.length; });
+        auto start = starts.begin();
+        std::size_t num_idle = gauge_.fronts_.size();
+        for (unsigned length = kStart; length <= gauge_.longest_; ++length) {
+            if (num_idle >= gauge_.fronts_.size()) {
+                if (start == starts.end()) break;
+                length = start->length;
+                if (length > gauge_.longest_) break;
+            }
+            for (; start != starts.end() && start->length == length; ++start) {
+                reach(start->place, start->way, length);
+            }
+            std::vector<Reached>& front = gauge_.fronts_[length % gauge_.fronts_.size()];
+            for (const Reached at : front) {
+                if (gauge_.length_[at.place] != length) continue;
+                visit(at.place, length);
+                go_on(at.place, at.way, length);
+            }
+            num_idle = front.empty() ? num_idle + 1 : 0;
+            front.clear();
+        }
+        starts.clear();
+        for (std::vector<Reached>& front : gauge_.fronts_) front.clear();
     }
     /// On to the neighbours that cannot be reached as soon from the place before, unless it is
     /// around something blocked (Harabor and Grastien, "Online graph pruning for pathfinding on
@@ -194,21 +263,23 @@ private:
 
     NarrowingGauge& gauge_;
     const Raster<float>& clearance_;
+    const Raster<float>& free_clearance_;
     Cell seed_;
     std::size_t seed_offset_;
     bool is_all_inside_ = false;
     const RegionsView& regions_;
     std::uint32_t region_;
     WalkedSide& walked_;
-    WalkedPlaces places_;
+    unsigned most_ = kStart;
     std::array<std::int32_t, 8> steps_{};
     unsigned lowest_ = static_cast<unsigned>(-1);
     unsigned highest_ = 0;
 };
 
-NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resolution_m)
+NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m,
+                               const Raster<float>& free_clearance_m, double resolution_m)
     : clearance_(clearance_m),
-      resolution_m_(resolution_m),
+      free_clearance_(free_clearance_m),
       stride_cells_(stride_of(resolution_m)),
       step_m_(stride_cells_ * resolution_m),
       radius_(static_cast<std::int32_t>(std::ceil(kNarrowingReachM / step_m_)) + 2),
@@ -222,19 +293,33 @@ NarrowingGauge::NarrowingGauge(const Raster<float>& clearance_m, double resoluti
 }
 
 /// No path is long enough to leave the window.
-WalkedSide NarrowingGauge::walk_outward(Cell seed, const Direction& along,
-                                        const RegionsView& regions) {
+WalkedSide NarrowingGauge::walk_outward(Cell seed, const RegionsView& regions) {
     WalkedSide walked;
+    walked.step_m = step_m_;
     // A cell that no longer belongs to a region has nothing behind it.
     if (regions.region_at(clearance_.offset(seed)) == 0) return walked;
-    Walk(*this, seed, regions, walked).go(along);
+    Walk(*this, seed, regions, walked).go();
+    std::sort(walked.met.begin(), walked.met.end());
+    walked.met.erase(std::unique(walked.met.begin(), walked.met.end()), walked.met.end());
     return walked;
 }
 
-Narrowing NarrowingGauge::measure(const Saddle& saddle, const RegionsView& regions) {
-    const Opening opening = measure_opening(clearance_, resolution_m_, saddle);
-    return put_together(saddle, opening, walk_outward(saddle.a, opening.along, regions).side,
-                        walk_outward(saddle.b, opening.along, regions).side, resolution_m_);
+SideOfSaddle side_of(const WalkedSide& walked, Among obstacles, const Direction& along) {
+    SideOfSaddle side;
+    side.reach_m = walked.reach_m;
+    for (std::size_t i = 0; i < walked.within.size(); ++i) {
+        const WalkedSide::Within& within = walked.within[i];
+        side.peak_m[i] = static_cast<double>(within.peak_m[obstacles == Among::walls ? 0 : 1]);
+        // Areas are noted at the last two only; the walk of no region has none.
+        if (i == 0 || within.count == 0) continue;
+        const auto count = static_cast<double>(within.count);
+        const double sum_squares = along.x * along.x * static_cast<double>(within.sum_xx) +
+                                   2.0 * along.x * along.y * static_cast<double>(within.sum_xy) +
+                                   along.y * along.y * static_cast<double>(within.sum_yy);
+        side.area_m2[i - 1] = count * walked.step_m * walked.step_m;
+        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / count) * walked.step_m;
+    }
+    return side;
 }
 
 Narrowing put_together(const Saddle& saddle, const Opening& opening, const SideOfSaddle& side_a,

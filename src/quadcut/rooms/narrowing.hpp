@@ -63,27 +63,44 @@ struct RegionsView {
 /// Paths from a saddle end here, metres.
 inline constexpr double kNarrowingReachM = 5.0;
 
-/// One side of a saddle, and what its measure depends on.
+/// Obstacles are judged twice: among walls alone, where furniture is open, and among all of them.
+enum class Among : std::uint8_t { walls, all };
+
+/// What a walk inside a region from one of its cells came by, in both clearances. All zero where
+/// the cell belongs to no region.
 struct WalkedSide {
-    SideOfSaddle side;
-    /// The other regions that the walk came up against: as long as none of them becomes a part of
-    /// the region walked in, the side stays as it is.
+    /// What lies up to a length of path; sums over the distances from the seed, in steps.
+    struct Within {
+        /// Among walls, among all.
+        std::array<float, 2> peak_m{};
+        std::int64_t count = 0;
+        std::int64_t sum_xx = 0;
+        std::int64_t sum_xy = 0;
+        std::int64_t sum_yy = 0;
+    };
+    /// 1.5, 3 and 5 m.
+    std::array<Within, 3> within{};
+    double step_m = 0.0;
+    double reach_m = 0.0;
+    /// The other regions that the walk came up against, each once: as long as none of them becomes
+    /// a part of the region walked in, the walk stays as it is.
     std::vector<std::uint32_t> met;
 };
+
+/// What a walk says of a saddle with an opening that runs `along`.
+[[nodiscard]] SideOfSaddle side_of(const WalkedSide& walked, Among obstacles,
+                                   const Direction& along);
 
 /// Walks out from saddles; keeps its working memory (a window of 5 m around) between calls.
 class NarrowingGauge {
 public:
-    /// `clearance_m` must outlive the gauge.
-    NarrowingGauge(const Raster<float>& clearance_m, double resolution_m);
+    /// The clearances among walls and among all obstacles, which must outlive the gauge.
+    NarrowingGauge(const Raster<float>& clearance_m, const Raster<float>& free_clearance_m,
+                   double resolution_m);
 
-    /// What lies on the side of a saddle's cell `seed`, of an opening that runs `along`. Paths stay
-    /// inside the seed's region, and go in steps of 0.1 m whatever the resolution.
-    /// O(area within 5 m).
-    [[nodiscard]] WalkedSide walk_outward(Cell seed, const Direction& along,
-                                          const RegionsView& regions);
-    /// The opening and both sides.
-    [[nodiscard]] Narrowing measure(const Saddle& saddle, const RegionsView& regions);
+    /// What lies on the side of a saddle's cell `seed`. Paths stay inside the seed's region, and go
+    /// in steps of 0.1 m whatever the resolution. O(area within 5 m).
+    [[nodiscard]] WalkedSide walk_outward(Cell seed, const RegionsView& regions);
 
 private:
     /// A place of the window around the seed, and the direction of the last step to it.
@@ -91,10 +108,16 @@ private:
         std::uint16_t place = 0;
         std::uint16_t way = 0;
     };
+    /// A way on from a settled place.
+    struct Start {
+        unsigned length = 0;
+        unsigned place = 0;
+        unsigned way = 0;
+    };
     class Walk;
 
     const Raster<float>& clearance_;
-    double resolution_m_;
+    const Raster<float>& free_clearance_;
     std::int32_t stride_cells_;
     double step_m_;
     /// Of the window of places; its rows are a power of two long.
@@ -107,6 +130,8 @@ private:
     std::vector<std::uint16_t> length_;
     /// The places to visit next by path length: no step is longer than 7.
     std::array<std::vector<Reached>, 8> fronts_;
+    std::vector<std::uint16_t> settled_;
+    std::vector<Start> starts_;
 };
 
 /// Both sides and the opening of a saddle put together.

@@ -2,10 +2,14 @@
 // SPDX-FileCopyrightText: The quadcut developers
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "quadcut/base/geometry.hpp"
@@ -74,6 +78,13 @@ struct BorderMeasure {
     std::array<double, 2> free_in_line_m{};
 };
 
+/// The openings of a region that a robot fits through, to what is somewhere to go to: among walls,
+/// and among all obstacles.
+using NumOpenings = std::array<std::size_t, 2>;
+
+/// Two regions a < b that touch.
+using RegionPair = std::pair<std::uint32_t, std::uint32_t>;
+
 /// Regions made of pieces that only ever join, with the widest saddle to each neighbour.
 class RegionGraph {
 public:
@@ -95,10 +106,10 @@ public:
     [[nodiscard]] std::size_t num_saddles() const;
     /// The regions that touch this one, and where they are widest apart from it.
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
-        return borders_.of(region);
+        return borders_[0].of(region);
     }
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& free_saddles(std::uint32_t region) const {
-        return free_borders_.of(region);
+        return borders_[1].of(region);
     }
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
@@ -121,16 +132,25 @@ public:
     /// Joins b into a; the saddles of both to a third region become the wider of the two.
     void join(std::uint32_t a, std::uint32_t b);
 
+    [[nodiscard]] NumOpenings num_openings(std::uint32_t region) const;
+
     /// What lies on both sides of the saddle between two regions that touch. What a join has not
     /// come near to is not measured again.
     [[nodiscard]] BorderMeasure measure(std::uint32_t a, std::uint32_t b);
-    /// Measures ahead what measure() will be asked for, on all threads: the saddles of a region up
-    /// to a width; of all regions.
-    void measure_around(std::uint32_t region, double max_width_m, const Executor& executor);
-    void measure_all(double max_width_m, const Executor& executor);
+    /// Looks ahead at what measured() is going to need, on all threads.
+    void look_at(std::span<const RegionPair> pairs, const Executor& executor);
+    /// The same as measure() of a < b, with the openings that each has or had.
+    /// @pre Was looked at, and neither region was joined since.
+    [[nodiscard]] BorderMeasure measured(const RegionPair& pair, const NumOpenings& openings_a,
+                                         const NumOpenings& openings_b) const;
     /// The same as measure() at other saddles between them, whose cell a lies in region a.
+    /// @pre Both regions were described.
     [[nodiscard]] BorderMeasure measure_at(const Saddle& saddle, const Saddle& free_saddle,
-                                           std::uint32_t a, std::uint32_t b) const;
+                                           const RegionPair& pair, NarrowingGauge& gauge) const;
+    void describe_all(const Executor& executor);
+    [[nodiscard]] NarrowingGauge gauge() const {
+        return {ground_.clearance_m, ground_.free_clearance_m, ground_.resolution_m};
+    }
 
 private:
     /// Over the raster's cells.
@@ -155,19 +175,39 @@ private:
         std::size_t num_openings = 0;
         /// Whether there is furniture that makes the clearance another.
         bool is_cluttered = false;
+        /// The hull's, and perhaps more.
+        std::vector<Point> corners;
+        /// Whether these two are made, and as the region is now.
+        bool is_described = false;
         Hull hull;
         RegionShape shape;
 
         void add(const Extent& other);
     };
 
+    /// What is still to be measured, and where it goes.
+    struct Unseen {
+        std::vector<std::tuple<Among, const Saddle*, Opening*>> openings;
+        std::vector<std::pair<Cell, WalkedSide*>> walks;
+        std::vector<Extent*> shapes;
+    };
+
     [[nodiscard]] RegionsView view() const { return {pieces_, region_}; }
+    [[nodiscard]] const Raster<float>& clearance(Among obstacles) const {
+        return obstacles == Among::walls ? ground_.clearance_m : ground_.free_clearance_m;
+    }
+    void describe(Extent& extent) const;
     [[nodiscard]] RegionShape shape_of(const Sums& extent, const Hull& hull) const;
+    /// Whether furniture makes the clearance another.
+    [[nodiscard]] bool is_cluttered(const RegionPair& pair) const {
+        return extent_[pair.first].is_cluttered || extent_[pair.second].is_cluttered;
+    }
+    void collect_unseen(const RegionPair& pair, Among obstacles, Unseen& unseen);
+    [[nodiscard]] Narrowing narrowing_of(const RegionPair& pair, Among obstacles) const;
     /// What a join changes however far away it is.
-    void describe(std::uint32_t a, std::uint32_t b, BorderMeasure& measure) const;
-    void fill_sides(std::uint32_t a, std::uint32_t b, const Borders& borders, bool is_free,
-                    Narrowing& narrowing) const;
-    [[nodiscard]] std::array<double, 2> open_in_line_m(std::uint32_t a, std::uint32_t b,
+    void describe(const RegionPair& pair, const NumOpenings& openings_a,
+                  const NumOpenings& openings_b, BorderMeasure& measure) const;
+    [[nodiscard]] std::array<double, 2> open_in_line_m(const RegionPair& pair,
                                                        const Opening& opening,
                                                        const Raster<float>& clearance) const;
 
@@ -178,8 +218,11 @@ private:
     std::vector<std::vector<std::uint32_t>> members_;
     std::vector<Extent> extent_;
     std::vector<std::uint32_t> version_;
-    Borders borders_;
-    Borders free_borders_;
+    /// Among walls, among all obstacles.
+    std::vector<Borders> borders_;
+    Walks walks_;
+    /// One for each thread.
+    std::vector<NarrowingGauge> gauges_;
 };
 
 }  // namespace quadcut

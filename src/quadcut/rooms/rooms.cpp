@@ -78,10 +78,17 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
                         const Executor& executor, Hierarchy* hierarchy) {
     RoomsCut cut;
     clock.begin("clearance");
-    cut.free_clearance_m = clearance_m(floor.kept, floor.resolution_m, executor);
-    cut.lines = find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
-    Raster<std::uint8_t> open =
-        open_space(std::move(floor.kept), floor.resolution_m, options.max_furniture_m2, cut.lines, executor);
+    // The search for lines is not parallel throughout: beside it there is work for another thread.
+    parallel_for(executor, 2, 1, [&](std::size_t task, std::size_t) {
+        if (task == 0) {
+            cut.lines =
+                find_wall_lines(floor.kept, floor.resolution_m, options.door_width_m, executor);
+        } else {
+            cut.free_clearance_m = clearance_m(floor.kept, floor.resolution_m, executor);
+        }
+    });
+    Raster<std::uint8_t> open = open_space(std::move(floor.kept), floor.resolution_m,
+                                           options.max_furniture_m2, cut.lines, executor);
     cut.clearance_m = clearance_m(open, floor.resolution_m, executor);
     clock.begin("cut");
     Basins basins = build_basins(cut.free_clearance_m, floor.resolution_m, executor);
@@ -101,7 +108,8 @@ RoomsCut cut_into_rooms(FloorToCut floor, const RoomsOptions& options, StageCloc
     if (keeps_pieces) cut.pieces = cut.rooms;
     RegionGraph regions(
         keeps_pieces ? cut.pieces : cut.rooms, cut.num_pieces,
-        {cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines, floor.resolution_m}, executor);
+        {cut.clearance_m, cut.free_clearance_m, floor.states, cut.lines, floor.resolution_m},
+        executor);
     cut.report.num_leaves = cut.num_pieces;
     cut.report.num_edges = regions.num_saddles();
     if (floor.add_beyond) floor.add_beyond(cut.pieces, regions);
