@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The quadcut developers
 // How well the door model tells doors from bulges, cut by cut, and the samples it is trained on:
-//   measure_doors [-o SAMPLES.csv] [--buildings N] [--pieces basins|spectral]
+//   measure_doors [-o SAMPLES.csv] [--buildings N] [--cluttered N] [--pieces basins|spectral]
 // Cuts are decided as the truth has it, the least door-like first, as fuse() does: so a sample
 // stands for a decision that really comes up. See docs/decisions/0008-door-model.md.
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <map>
 #include <queue>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -43,8 +44,12 @@ constexpr std::array<double, 3> kTurnedDegrees{17.0, 37.0, 60.0};
 constexpr std::array<double, 2> kScaled{0.7, 1.5};
 /// From these log-odds on a cut is kept.
 const double kKept = fuse_threshold(RoomsOptions{}.granularity);
-/// A component this small is the inside of furniture, not of a building.
-constexpr double kMinComponentM2 = 4.0;
+/// The truth of what nobody can name: rays through glass, the ground outside.
+constexpr std::uint32_t kVoid = 0xFFFFFFFF;
+constexpr std::uint64_t kFirstCluttered = 20001;
+
+/// Whether what the truth leaves out is something of its own, from which rooms are to be cut.
+enum class LeftOut { unclear, is_void };
 
 /// One decision: the cues, and whether the truth has a cut there.
 struct Sample {
@@ -53,12 +58,12 @@ struct Sample {
     bool is_cut = false;
 };
 
-/// Which true room most of each region is in; nothing where that is not clear.
+/// Which true room most of each region is in, or kVoid; nothing where that is not clear.
 class RegionTruth {
 public:
     RegionTruth(const Raster<std::uint32_t>& pieces, std::uint32_t num_pieces,
-                const Raster<std::uint32_t>& truth)
-        : shares_(num_pieces + 1), num_cells_(num_pieces + 1, 0) {
+                const Raster<std::uint32_t>& truth, LeftOut left_out)
+        : left_out_(left_out), shares_(num_pieces + 1), num_cells_(num_pieces + 1, 0) {
         for (std::size_t i = 0; i < pieces.values.size(); ++i) {
             ++num_cells_[pieces.values[i]];
             if (truth.values[i] != 0) ++shares_[pieces.values[i]][truth.values[i]];
@@ -76,11 +81,12 @@ public:
             sum += count;
             if (count > most.second) most = {room, count};
         }
-        const bool is_clear = 10 * sum >= 3 * num_cells_[region] && 10 * most.second >= 6 * sum;
-        return is_clear ? most.first : 0;
+        if (10 * sum < 3 * num_cells_[region]) return left_out_ == LeftOut::is_void ? kVoid : 0;
+        return 10 * most.second >= 6 * sum ? most.first : 0;
     }
 
 private:
+    LeftOut left_out_;
     std::vector<std::map<std::uint32_t, std::size_t>> shares_;
     std::vector<std::size_t> num_cells_;
 };
@@ -106,18 +112,25 @@ void join_spectral_pieces(RegionGraph& regions, RegionTruth& rooms) {
 }
 
 std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth,
-                                    PieceSource pieces) {
-    const auto kept = inside(map, {}, kMinComponentM2);
-    const auto open = open_space(kept, map.resolution_m, RoomsOptions{}.max_furniture_m2);
-    const Raster<float> clearance = clearance_m(open, map.resolution_m);
-    const Basins basins = build_basins(clearance, map.resolution_m);
-    RegionGraph regions(basins.labels, basins.count, clearance, map.resolution_m);
-    RegionTruth rooms(basins.labels, basins.count, truth);
+                                    PieceSource pieces, LeftOut left_out = LeftOut::unclear) {
+    const RoomsOptions options;
+    const double resolution_m = map.resolution_m;
+    const auto kept = inside(map, {}, options.min_component_m2);
+    const Raster<float> free_clearance = clearance_m(kept, resolution_m);
+    const WallLines lines = find_wall_lines(kept, resolution_m, options.door_width_m);
+    const auto open = open_space(kept, resolution_m, options.max_furniture_m2, lines);
+    const Raster<float> clearance = clearance_m(open, resolution_m);
+    Basins basins = build_basins(free_clearance, resolution_m);
+    basins.count = split_at_lines(lines, basins.labels);
+    spread_labels(open, basins.labels);
+    RegionGraph regions(basins.labels, basins.count,
+                        {clearance, free_clearance, map.states, lines, resolution_m});
+    RegionTruth rooms(basins.labels, basins.count, truth, left_out);
     if (pieces == PieceSource::spectral) join_spectral_pieces(regions, rooms);
     std::priority_queue<Candidate> queue;
     const auto push = [&](std::uint32_t a, std::uint32_t b) {
-        const Narrowing narrowing = regions.measure(a, b);
-        queue.push({{door_cues(narrowing), door_log_odds(narrowing), false},
+        const BorderMeasure border = regions.measure(a, b);
+        queue.push({{door_cues(border), door_log_odds(border), false},
                     a,
                     b,
                     regions.version(a),
@@ -138,7 +151,7 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
         }
         const std::uint32_t room_a = rooms.room_of(top.a);
         const std::uint32_t room_b = rooms.room_of(top.b);
-        const bool is_clear = room_a != 0 && room_b != 0;
+        const bool is_clear = room_a != 0 && room_b != 0 && (room_a != kVoid || room_b != kVoid);
         top.sample.is_cut = is_clear ? room_a != room_b : top.sample.log_odds >= kKept;
         const double area_m2 = std::min(regions.area_m2(top.a), regions.area_m2(top.b));
         if (is_clear && area_m2 >= kMinAreaM2) samples.push_back(top.sample);
@@ -197,91 +210,107 @@ private:
     std::map<std::string, Tally> tallies_;
 };
 
-/// Each map as it is, and as it is when drawn in other directions and at other resolutions: the
-/// model should not depend on that.
-void add_data(PieceSource pieces, Report& report) {
-    for (const DataMap& data : read_data_maps()) {
-        const Raster<std::uint32_t> truth = as_raster(data.truth);
-        report.add(data.name, data.building, data.kind, decide_by_truth(data.map, truth, pieces));
-        const auto add_changed = [&](const Resampling& change) {
-            report.add(data.name, data.building, data.kind + " changed",
-                       decide_by_truth(resample(data.map, change), resample_nearest(truth, change),
-                                       pieces));
-        };
-        for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
-        for (const double cells : kScaled) add_changed(scaled(data.map, cells));
-    }
+/// A map as it is, and as it is when drawn in other directions and at other resolutions: the model
+/// should not depend on that. Stages of one map are many as they are.
+std::vector<std::vector<Sample>> decide_in_all_directions(const DataMap& data, PieceSource pieces) {
+    const bool has_void = data.kind == "real" || data.kind == "growing";
+    const LeftOut left_out = has_void ? LeftOut::is_void : LeftOut::unclear;
+    const Raster<std::uint32_t> truth = as_raster(data.truth);
+    std::vector<std::vector<Sample>> samples{decide_by_truth(data.map, truth, pieces, left_out)};
+    if (data.kind == "growing") return samples;
+    const auto add_changed = [&](const Resampling& change) {
+        samples.push_back(decide_by_truth(resample(data.map, change),
+                                          resample_nearest(truth, change), pieces, left_out));
+    };
+    for (const double degrees : kTurnedDegrees) add_changed(turned(data.map, degrees));
+    for (const double cells : kScaled) add_changed(scaled(data.map, cells));
+    return samples;
 }
 
-/// The labels of a building at the cells of another map of it.
-Raster<std::uint32_t> truth_at(const sim::Building& building, const GridMap& map) {
-    Raster<std::uint32_t> truth(map.states.origin, map.states.width, map.states.height);
-    const Pose world_from_image = inverse(building.map.map_from_image);
-    for (std::size_t i = 0; i < truth.values.size(); ++i) {
-        const Cell cell = truth.cell(i);
-        const Point at = transform(
-            world_from_image, transform(map.map_from_image, {(cell.x + 0.5) * map.resolution_m,
-                                                             (cell.y + 0.5) * map.resolution_m}));
-        const Cell in_building{
-            static_cast<std::int32_t>(std::floor(at.x / building.map.resolution_m)),
-            static_cast<std::int32_t>(std::floor(at.y / building.map.resolution_m))};
-        if (building.labels.contains(in_building)) {
-            truth.values[i] = building.labels.at(in_building);
+void add_data(PieceSource pieces, Report& report) {
+    std::vector<DataMap> maps = read_data_maps();
+    for (DataMap& map : read_real_maps("")) maps.push_back(std::move(map));
+    const auto samples = run_cases<std::vector<std::vector<Sample>>>(
+        maps.size(), [&](std::size_t i) { return decide_in_all_directions(maps[i], pieces); });
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        for (std::size_t k = 0; k < samples[i].size(); ++k) {
+            report.add(maps[i].name, maps[i].building, maps[i].kind + (k == 0 ? "" : " changed"),
+                       samples[i][k]);
         }
     }
-    return truth;
 }
 
-/// Buildings as robots find them.
-void add_cluttered(int num_buildings, PieceSource pieces, Report& report) {
-    for (int i = 0; i < num_buildings; ++i) {
-        sim::RealityOptions options;
-        options.seed = static_cast<std::uint64_t>(20001 + i);
-        options.num_rooms = 12 + i * 7 % 37;
-        const sim::RealMap real = sim::scan_as_robots_do(options);
-        const std::string name = "cluttered_" + std::to_string(options.seed);
-        report.add(name, name, "simulated cluttered",
-                   decide_by_truth(real.map, real.truth, pieces));
-    }
+/// Of one building, drawn and scanned; the latter may be none.
+struct Decided {
+    std::vector<Sample> drawn;
+    std::vector<Sample> scanned;
+};
+
+std::vector<Sample> decide_drawn(const sim::Building& building, PieceSource pieces) {
+    return decide_by_truth(building.map, labels_at(building.map, building.labels, building.map),
+                           pieces);
 }
 
-/// Buildings of all sizes and densities of furniture; each third also as a robot maps it.
-void add_simulated(int num_buildings, PieceSource pieces, Report& report) {
-    for (int i = 0; i < num_buildings; ++i) {
-        sim::BuildingOptions options;
-        options.seed = static_cast<std::uint64_t>(1000 + i);
-        options.num_rooms = 8 + i * 7 % 40;
-        options.furniture = 0.01 * (i * 37 % 101);
-        if (i % 2 == 1) options.yaw_rad = 0.01 * (i * 53 % 157);
-        const sim::Building building = sim::generate_building(options);
-        const std::string name = "seed_" + std::to_string(options.seed);
-        report.add(name, name, "simulated",
-                   decide_by_truth(building.map, truth_at(building, building.map), pieces));
-        if (i % 2 != 0) continue;
-        sim::RobotOptions robot;
-        robot.seed = options.seed;
-        const auto scans = sim::explore(building.map, sim::start_pose(building), robot).scans;
-        const GridMap map = map_from_scans(scans, options.resolution_m).to_grid();
-        report.add(name, name, "simulated and scanned",
-                   decide_by_truth(map, truth_at(building, map), pieces));
+/// Buildings of all sizes and densities of furniture; every other one also as a robot maps it.
+Decided decide_simulated(std::size_t i, PieceSource pieces) {
+    sim::BuildingOptions options;
+    options.seed = 1000 + i;
+    options.num_rooms = 8 + static_cast<int>(i * 7 % 40);
+    options.furniture = 0.01 * static_cast<double>(i * 37 % 101);
+    if (i % 2 == 1) options.yaw_rad = 0.01 * static_cast<double>(i * 53 % 157);
+    const sim::Building building = sim::generate_building(options);
+    Decided decided{decide_drawn(building, pieces), {}};
+    if (i % 2 != 0) return decided;
+    sim::RobotOptions robot;
+    robot.seed = options.seed;
+    const auto scans = sim::explore(building.map, sim::start_pose(building), robot).scans;
+    const GridMap map = map_from_scans(scans, options.resolution_m).to_grid();
+    decided.scanned = decide_by_truth(map, labels_at(building.map, building.labels, map), pieces);
+    return decided;
+}
+
+/// Buildings as robots find them, and the same as an architect draws them.
+Decided decide_cluttered(std::size_t i, PieceSource pieces) {
+    sim::RealityOptions options;
+    options.seed = kFirstCluttered + i;
+    options.num_rooms = 12 + static_cast<int>(i * 7 % 37);
+    const sim::RealMap real = sim::scan_as_robots_do(options);
+    return {decide_drawn(real.building, pieces),
+            decide_by_truth(real.map, real.truth, pieces, LeftOut::is_void)};
+}
+
+void add_simulated(std::size_t num_buildings, std::size_t num_cluttered, PieceSource pieces,
+                   Report& report) {
+    const auto decided = run_cases<Decided>(num_buildings + num_cluttered, [&](std::size_t i) {
+        return i < num_buildings ? decide_simulated(i, pieces)
+                                 : decide_cluttered(i - num_buildings, pieces);
+    });
+    for (std::size_t i = 0; i < decided.size(); ++i) {
+        const bool is_cluttered = i >= num_buildings;
+        const std::string name = "building_" + std::to_string(i);
+        report.add(name, name, is_cluttered ? "simulated drawn" : "simulated", decided[i].drawn);
+        if (decided[i].scanned.empty()) continue;
+        report.add(name, name, is_cluttered ? "simulated cluttered" : "simulated and scanned",
+                   decided[i].scanned);
     }
 }
 
 int run(int argc, char** argv) {
     std::string csv;
-    int num_buildings = 100;
+    std::size_t num_buildings = 100;
+    std::size_t num_cluttered = 200;
     PieceSource pieces = RoomsOptions{}.pieces;
     for (int i = 1; i + 1 < argc; i += 2) {
         if (std::string(argv[i]) == "-o") csv = argv[i + 1];
-        if (std::string(argv[i]) == "--buildings") num_buildings = std::stoi(argv[i + 1]);
+        if (std::string(argv[i]) == "--cluttered") num_cluttered = std::stoul(argv[i + 1]);
+        if (std::string(argv[i]) == "--buildings") num_buildings = std::stoul(argv[i + 1]);
         if (std::string(argv[i]) != "--pieces") continue;
         const bool is_spectral = std::string(argv[i + 1]) == "spectral";
         pieces = is_spectral ? PieceSource::spectral : PieceSource::basins;
     }
     Report report(csv);
     add_data(pieces, report);
-    add_simulated(num_buildings, pieces, report);
-    add_cluttered(num_buildings, pieces, report);
+    add_simulated(num_buildings, num_cluttered, pieces, report);
     report.print();
     return 0;
 }

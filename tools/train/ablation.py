@@ -98,8 +98,8 @@ def main():
     OUT.mkdir(parents=True, exist_ok=True)
     samples = options.samples.resolve()
     if not samples.exists():
-        print("collecting decisions: about ten minutes", file=sys.stderr)
-        run(BENCH / "measure_doors", "-o", samples, "--buildings", "600")
+        print("collecting decisions: about fifteen minutes", file=sys.stderr)
+        run(BENCH / "measure_doors", "-o", samples, "--buildings", "140", "--cluttered", "240")
     else:
         print("decisions of", time.strftime("%Y-%m-%d %H:%M", time.localtime(
             samples.stat().st_mtime)), "from", samples, file=sys.stderr)

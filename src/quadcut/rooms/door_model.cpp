@@ -6,9 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
-#include <vector>
 #include <utility>
 
 #include "quadcut/rooms/door_trees.hpp"
@@ -53,30 +50,13 @@ unsigned flatten(const DoorTree& tree, int node, FlatTree& flat) {
     return below | under(branch.above);
 }
 
-std::vector<FlatTree> flat_trees(const std::vector<DoorTree>& trees) {
-    std::vector<FlatTree> flat(trees.size());
+std::array<FlatTree, kDoorTrees.size()> flat_trees() {
+    std::array<FlatTree, kDoorTrees.size()> flat;
     for (std::size_t i = 0; i < flat.size(); ++i) {
-        flat[i].leaves = trees[i].leaves;
-        (void)flatten(trees[i], 0, flat[i]);
+        flat[i].leaves = kDoorTrees[i].leaves;
+        (void)flatten(kDoorTrees[i], 0, flat[i]);
     }
     return flat;
-}
-struct LoadedModel {
-    double bias;
-    std::vector<FlatTree> trees;
-};
-LoadedModel load_model() {
-    const char* path = std::getenv("DOOR_TREES");
-    if (path == nullptr) return {kDoorBias, flat_trees({kDoorTrees.begin(), kDoorTrees.end()})};
-    std::ifstream in(path);
-    double bias = 0; std::size_t n = 0;
-    in >> bias >> n;
-    std::vector<DoorTree> trees(n);
-    for (DoorTree& tree : trees) {
-        for (DoorBranch& b : tree.branches) { int cue = 0; in >> cue >> b.threshold >> b.below >> b.above; b.cue = static_cast<std::uint8_t>(cue); }
-        for (float& leaf : tree.leaves) in >> leaf;
-    }
-    return {bias, flat_trees(trees)};
 }
 
 /// Over the leaves below what a branch leads to: their sum, and how many they are.
@@ -160,10 +140,9 @@ std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border) {
 }
 
 double door_log_odds(const BorderMeasure& border) {
-    static const LoadedModel model = load_model();
-    const std::vector<FlatTree>& trees = model.trees;
+    static const std::array<FlatTree, kDoorTrees.size()> trees = flat_trees();
     const std::array<float, kNumDoorCues> cues = door_cues(border);
-    double log_odds = model.bias;
+    double log_odds = kDoorBias;
     for (const FlatTree& tree : trees) {
         unsigned leaves = 0xFF;
         for (const FlatTree::Question& question : tree.questions) {
