@@ -234,7 +234,7 @@ BorderMeasure RegionGraph::measure_at(const Saddle& saddle, const Saddle& free_s
     measure.narrowing = narrowing(saddle, Among::walls, walks);
     if (!is_cluttered(pair)) {
         measure.free_narrowing = measure.narrowing;
-    } else if (free_saddle.num_contacts > 0) {
+    } else if (free_saddle.clearance_m > 0.0F) {
         const bool is_same = free_saddle.a == saddle.a && free_saddle.b == saddle.b;
         measure.free_narrowing =
             narrowing(free_saddle, Among::all, is_same ? walks : walk_from(free_saddle));
