@@ -130,7 +130,8 @@ private:
     std::vector<std::uint16_t> length_;
     /// The places to visit next by path length: no step is longer than 7.
     std::array<std::vector<Reached>, 8> fronts_;
-    std::vector<std::uint16_t> settled_;
+    /// The largest length beside each place of a row.
+    std::vector<std::uint16_t> most_around_;
     std::vector<Start> starts_;
 };
 
