@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "quadcut/map/morton.hpp"
 #include "quadcut/rooms/label_tally.hpp"
 
 namespace quadcut {
@@ -171,6 +172,15 @@ void RegionGraph::look_at(std::span<const RegionPair> pairs, const Executor& exe
         collect_unseen(pair, Among::walls, unseen);
         if (is_cluttered(pair)) collect_unseen(pair, Among::all, unseen);
     }
+    // What lies near each other looks at the same cells.
+    const Box box = pieces_.box();
+    std::sort(unseen.walks.begin(), unseen.walks.end(), [&](const auto& p, const auto& q) {
+        return block_code(p.first, box) < block_code(q.first, box);
+    });
+    std::sort(unseen.openings.begin(), unseen.openings.end(), [&](const auto& p, const auto& q) {
+        return block_code(std::get<const Saddle*>(p)->a, box) <
+               block_code(std::get<const Saddle*>(q)->a, box);
+    });
     // A gauge for each thread. Some walks need far longer than others: one is taken at a time.
     const std::size_t num_walks = unseen.walks.size();
     const std::size_t num_measured = num_walks + unseen.openings.size();
