@@ -59,12 +59,13 @@ TEST(Regions, AnOutlinedBoxBelongsToItsRoom) {
                                                  "a....a",  //
                                                  "a....a",  //
                                                  "aaaaaa"});
-    const Raster<std::uint8_t> free = drawn_mask({"......",  //
-                                                  ".####.",  //
-                                                  ".#..#.",  //
-                                                  ".####.",  //
-                                                  "......"});
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
+    const Raster<CellState> states = drawn_map({"......",  //
+                                                ".####.",  //
+                                                ".#..#.",  //
+                                                ".####.",  //
+                                                "......"})
+                                         .states;
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //
@@ -81,36 +82,38 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
                     "a......a",  //
                     "aaaaaaaa"};
     Raster<std::uint32_t> labels = drawn_labels(rows);
-    const Raster<std::uint8_t> free = drawn_mask({"........",  //
-                                                  ".######.",  //
-                                                  ".######.",  //
-                                                  ".##..##.",  //
-                                                  ".######.",  //
-                                                  ".######.",  //
-                                                  "........"});
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
+    const Raster<CellState> states = drawn_map({"........",  //
+                                                ".######.",  //
+                                                ".######.",  //
+                                                ".##..##.",  //
+                                                ".######.",  //
+                                                ".######.",  //
+                                                "........"})
+                                         .states;
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "0.2 m of wall";
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.05, 0.0008).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.05, 0.0008).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "larger than a pocket may be";
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.05, 1.0).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.05, 1.0).is_any);
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";
 }
 
 TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
-    const Raster<std::uint8_t> free = drawn_mask({"......",  //
-                                                  ".####.",  //
-                                                  ".#..#.",  //
-                                                  ".####.",  //
-                                                  "......"});
+    const Raster<CellState> states = drawn_map({"......",  //
+                                                ".####.",  //
+                                                ".#..#.",  //
+                                                ".####.",  //
+                                                "......"})
+                                         .states;
     const Rows rows{"aaaaaa",  //
                     "a....a",  //
                     "a.bb.a",  //
                     "a....a",  //
                     "aaaaaa"};
     Raster<std::uint32_t> labels = drawn_labels(rows);
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 0.2).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.1, 0.2).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "two small rooms are no pockets of each other";
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 0.1).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.1, 0.1).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //
@@ -120,7 +123,7 @@ TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
 
 TEST(Regions, FurnitureAloneIsNoRoom) {
     Raster<std::uint32_t> labels = drawn_labels({"aabb", "aabb", "ccbb"});
-    const Raster<std::uint8_t> free = drawn_mask({"..#.", "..##", "####"});
+    const Raster<CellState> states = drawn_map({"..#.", "..##", "####"}).states;
     drop_without_floor(labels, free);
     EXPECT_EQ(as_drawing(labels), (Rows{"aabb", "aabb", "..bb"}));
 }
