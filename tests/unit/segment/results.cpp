@@ -13,6 +13,7 @@
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -124,7 +125,7 @@ TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
 TEST(Regions, FurnitureAloneIsNoRoom) {
     Raster<std::uint32_t> labels = drawn_labels({"aabb", "aabb", "ccbb"});
     const Raster<CellState> states = drawn_map({"..#.", "..##", "####"}).states;
-    drop_without_floor(labels, free);
+    drop_without_floor(labels, states);
     EXPECT_EQ(as_drawing(labels), (Rows{"aabb", "aabb", "..bb"}));
 }
 
@@ -155,8 +156,9 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     clear(83, 20, 87, 36);
     clear(83, 90, 87, 114);
     const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), 0.05);
-    const std::vector<Door> doors =
-        find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
+    const test::PlainGround plain(clearance, 0.05);
+    const std::vector<Door> doors = find_doors(
+        labels, 2, plain.ground(), {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
     ASSERT_EQ(doors.size(), 2U);
     EXPECT_NEAR(doors[0].width_m, 0.8, 0.06);
     EXPECT_NEAR(doors[1].width_m, 1.2, 0.06);
@@ -169,8 +171,8 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     }
     EXPECT_NEAR(std::min(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.0, 0.05);
     EXPECT_NEAR(std::max(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.8, 0.05);
-    EXPECT_EQ(find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(),
-              1U)
+    EXPECT_EQ(
+        find_doors(labels, 2, plain.ground(), {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(), 1U)
         << "the narrow one is out";
 }
 
