@@ -222,6 +222,7 @@ private:
                 walked_.within[i]);
         }
         end = std::max(last, 0);
+        farthest_ = std::max(farthest_, end);
         if (last >= 0) most_ = std::max<unsigned>(most_, row[side * last]);
         return last >= 0;
     }
@@ -234,13 +235,14 @@ private:
         most.resize(up);
         const unsigned low_row = lowest_ >> gauge_.row_bits_;
         const unsigned high_row = highest_ >> gauge_.row_bits_;
+        const auto first = static_cast<std::size_t>(gauge_.radius_ - farthest_);
+        const auto last = static_cast<std::size_t>(gauge_.radius_ + farthest_) + 1;
         for (unsigned y = std::max(1U, low_row); y <= high_row; ++y) {
             // The largest beside each place: where nothing is unseen nothing goes on.
             const std::uint16_t* const row = length + y * up;
             const std::uint16_t* const below = row - up;
             const std::uint16_t* const above = row + up;
-            const auto last = static_cast<std::size_t>(2 * gauge_.radius_);
-            for (std::size_t x = 1; x < last; ++x) {
+            for (std::size_t x = first; x < last; ++x) {
                 const std::uint16_t in_column_before = std::max(below[x - 1], above[x - 1]);
                 const std::uint16_t in_column = std::max(below[x], above[x]);
                 const std::uint16_t in_column_after = std::max(below[x + 1], above[x + 1]);
@@ -248,7 +250,7 @@ private:
                 most[x] = std::max(std::max(in_column_before, in_column),
                                    std::max(in_column_after, in_row));
             }
-            for (std::size_t x = 1; x < last; ++x) {
+            for (std::size_t x = first; x < last; ++x) {
                 if (most[x] >= kUnreached && is_reached(row[x])) {
                     add_starts(static_cast<unsigned>(y * up + x), starts);
                 }
@@ -334,6 +336,8 @@ private:
     std::uint32_t region_;
     WalkedSide& walked_;
     unsigned most_ = kStart;
+    /// From the seed's column, of what was looked at.
+    std::int32_t farthest_ = 0;
     std::array<std::int32_t, 8> steps_{};
     unsigned lowest_ = static_cast<unsigned>(-1);
     unsigned highest_ = 0;
