@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kLineM = 6.0;
 constexpr std::size_t kShapesPerChunk = 16;
+/// Fewer measures take less time than to wake up a thread.
+constexpr std::size_t kFewForAThread = 6;
 
 std::size_t index_of(Among obstacles) { return obstacles == Among::walls ? 0 : 1; }
 
@@ -185,8 +187,8 @@ void RegionGraph::look_at(std::span<const RegionPair> pairs, const Executor& exe
     const std::size_t num_walks = unseen.walks.size();
     const std::size_t num_measured = num_walks + unseen.openings.size();
     const std::size_t num_all = num_measured + unseen.shapes.size();
-    const std::size_t num_parts =
-        std::min(num_all, static_cast<std::size_t>(std::max(1, executor.num_threads)));
+    const std::size_t num_parts = std::min(
+        num_all / kFewForAThread + 1, static_cast<std::size_t>(std::max(1, executor.num_threads)));
     while (gauges_.size() < num_parts) gauges_.push_back(gauge());
     std::atomic<std::size_t> next = 0;
     parallel_for(executor, num_parts, 1, [&](std::size_t part, std::size_t) {
