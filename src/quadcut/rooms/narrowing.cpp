@@ -27,6 +27,8 @@ std::int32_t stride_of(double resolution_m) {
     return std::max(1, static_cast<std::int32_t>(std::lround(kStepM / resolution_m)));
 }
 
+bool is_reached(std::uint16_t length) { return length != kBlocked && length < kUnreached; }
+
 double path_m(unsigned length, double step_m) {
     return static_cast<double>(length - kStart) * step_m / kStraight;
 }
@@ -60,8 +62,8 @@ public:
     void go() {
         look_around();
         walk_behind();
-        for (std::size_t i = 0; i < walked_.within.size(); ++i) {
-            if (i > 0) add(walked_.within[i - 1], walked_.within[i]);
+        for (std::size_t i = 1; i < walked_.within.size(); ++i) {
+            add(walked_.within[i - 1], walked_.within[i]);
         }
         walked_.reach_m = path_m(most_, gauge_.step_m_);
         std::fill(gauge_.length_.begin() + lowest_, gauge_.length_.begin() + highest_ + 1, kUnseen);
@@ -127,9 +129,8 @@ private:
         const std::size_t offset = offset_at(place);
         const std::int64_t x = x_of(place);
         const std::int64_t y = y_of(place);
-        const std::size_t i = length <= gauge_.noted_at_[0]   ? 0
-                              : length <= gauge_.noted_at_[1] ? 1
-                                                              : 2;
+        std::size_t i = 0;
+        while (length > gauge_.noted_at_[i]) ++i;
         const WalkedSide::Within one{
             {clearance_.values[offset], free_clearance_.values[offset]}, 1, x * x, x * y, y * y};
         add(one, walked_.within[i]);
@@ -145,12 +146,9 @@ private:
         within.sum_yy += more.sum_yy;
     }
 
-    static bool is_reached(std::uint16_t length) {
-        return length != kBlocked && length < kUnreached;
-    }
     /// The places with a shortest way from the seed all of whose places lie in the region.
     void look_around() {
-        gauge_.length_[centre()] = look_at(centre());
+        (void)is_blocked(centre());
         gauge_.length_[centre()] = kStart;
         visit(centre(), kStart);
         // How far the row before goes, to the right and to the left.
@@ -165,6 +163,10 @@ private:
                 if (!is_any_right && !is_any_left) break;
             }
         }
+    }
+    static std::uint16_t shortest(unsigned x, unsigned y) {
+        return static_cast<std::uint16_t>(kStart + kStraight * std::max(x, y) +
+                                          (kDiagonal - kStraight) * std::min(x, y));
     }
     /// In row y, the last place from the seed's column on to which the way may be so short; -1:
     /// none.
@@ -206,9 +208,7 @@ private:
                 length = look_at(place);
                 if (length == kBlocked) continue;
                 const std::size_t offset = offset_at(place);
-                length = static_cast<std::uint16_t>(
-                    kStart + kStraight * static_cast<unsigned>(std::max(x, y)) +
-                    (kDiagonal - kStraight) * static_cast<unsigned>(std::min(x, y)));
+                length = shortest(static_cast<unsigned>(x), static_cast<unsigned>(y));
                 is_from_side = true;
                 last = x;
                 peak_m[0] = std::max(peak_m[0], clearance_.values[offset]);
@@ -243,12 +243,10 @@ private:
             const std::uint16_t* const below = row - up;
             const std::uint16_t* const above = row + up;
             for (std::size_t x = first; x < last; ++x) {
-                const std::uint16_t in_column_before = std::max(below[x - 1], above[x - 1]);
-                const std::uint16_t in_column = std::max(below[x], above[x]);
-                const std::uint16_t in_column_after = std::max(below[x + 1], above[x + 1]);
-                const std::uint16_t in_row = std::max(row[x - 1], row[x + 1]);
-                most[x] = std::max(std::max(in_column_before, in_column),
-                                   std::max(in_column_after, in_row));
+                const auto larger = [](std::uint16_t p, std::uint16_t q) { return std::max(p, q); };
+                const auto column = [&](std::size_t i) { return larger(below[i], above[i]); };
+                most[x] = larger(larger(column(x - 1), column(x)),
+                                 larger(column(x + 1), larger(row[x - 1], row[x + 1])));
             }
             for (std::size_t x = first; x < last; ++x) {
                 if (most[x] >= kUnreached && is_reached(row[x])) {
@@ -278,7 +276,6 @@ private:
             if (num_idle >= gauge_.fronts_.size()) {
                 if (start == starts.end()) break;
                 length = start->length;
-                if (length > gauge_.longest_) break;
             }
             for (; start != starts.end() && start->length == length; ++start) {
                 reach(start->place, start->way, length);

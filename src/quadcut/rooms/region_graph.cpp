@@ -62,7 +62,6 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     struct Piece : Extent {
         HullOfRows rows;
     };
-    const auto width = static_cast<std::size_t>(pieces.width);
     auto extents = tally_by_label<Piece>(
         pieces, executor,
         [&](Piece& piece, const LabelRun& run) {
@@ -85,17 +84,7 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
             piece.rows.add(y, x, x + num_cells);
             piece.is_cluttered = piece.is_cluttered ||
                                  !std::equal(clearance, clearance + run.num_cells, free_clearance);
-            const auto look = [&](std::size_t at) {
-                if (pieces.values[at] != 0) return;
-                if (ground.states.values[at] == CellState::unknown) ++piece.num_unknown;
-                if (ground.states.values[at] == CellState::occupied) ++piece.num_occupied;
-            };
-            if (run.x > 0) look(run.offset - 1);
-            if (run.x + run.num_cells < width) look(run.offset + run.num_cells);
-            for (std::size_t i = run.offset; i < run.offset + run.num_cells; ++i) {
-                if (run.y > 0) look(i - width);
-                if (i + width < pieces.values.size()) look(i + width);
-            }
+            add_sides(run, piece);
         },
         [](Piece& piece, Piece& other) {
             other.corners = other.rows.take().corners;
@@ -104,6 +93,21 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     for (std::size_t i = 0; i < extents.size(); ++i) extent_[i] = std::move(extents[i]);
     for (Extent& extent : extent_) {
         extent.area_m2 = extent.num_cells * ground.resolution_m * ground.resolution_m;
+    }
+}
+
+void RegionGraph::add_sides(const LabelRun& run, Sums& sums) const {
+    const auto width = static_cast<std::size_t>(pieces_.width);
+    const auto look = [&](std::size_t at) {
+        if (pieces_.values[at] != 0) return;
+        if (ground_.states.values[at] == CellState::unknown) ++sums.num_unknown;
+        if (ground_.states.values[at] == CellState::occupied) ++sums.num_occupied;
+    };
+    if (run.x > 0) look(run.offset - 1);
+    if (run.x + run.num_cells < width) look(run.offset + run.num_cells);
+    for (std::size_t i = run.offset; i < run.offset + run.num_cells; ++i) {
+        if (run.y > 0) look(i - width);
+        if (i + width < pieces_.values.size()) look(i + width);
     }
 }
 
