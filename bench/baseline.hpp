@@ -58,7 +58,9 @@ inline void fuse_by_ratio(RegionGraph& regions, double max_ratio, double max_wid
         clearance_m(inside(map, trajectory, rooms.min_component_m2), map.resolution_m);
     Basins basins = build_basins(clearance, map.resolution_m);
     const Raster<std::uint32_t> pieces = basins.labels;
-    RegionGraph regions(pieces, basins.count, clearance, map.resolution_m);
+    const WallLines no_lines;
+    RegionGraph regions(pieces, basins.count,
+                        {clearance, clearance, map.states, no_lines, map.resolution_m});
     // What is one room whatever the ratio.
     fuse_by_ratio(regions, 2.0 * kMaxRatio, kMaxWidthM);
     fuse_small_regions(regions, rooms.min_room_m2, rooms.min_passable_m);

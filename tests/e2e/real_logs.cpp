@@ -75,10 +75,10 @@ TEST(SlowRealLogs, AWholeMapHasTheRoomsOfAWindowThatHoldsIt) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const GridMap map = io::read_map(folder / "out/map.yaml").map;
     const Raster<std::uint8_t> kept = inside(map, {}, 2.0, {});
-    const Raster<std::uint8_t> free = mask_of(map, CellState::free);
     const auto rooms_of = [&](const auto& add_beyond, Hierarchy* hierarchy) {
         StageClock clock;
-        return cut_into_rooms({kept, free, map.resolution_m, add_beyond}, {}, clock, {2}, hierarchy)
+        return cut_into_rooms({kept, map.states, map.resolution_m, add_beyond}, {}, clock, {2},
+                              hierarchy)
             .rooms.values;
     };
     // A window keeps its pieces beside its rooms, a whole map only where a hierarchy is asked for.

@@ -24,6 +24,7 @@
 #include "quadcut/rooms/narrowing.hpp"
 #include "quadcut/rooms/open_space.hpp"
 #include "quadcut/rooms/region_graph.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -181,15 +182,16 @@ TEST(SegmentSteps, AWalkThatLooksOnlyWhereItMustFindsAllThatAPlainOneDoes) {
         }
         Raster<std::uint32_t> regions = basins.labels;
         for (std::uint32_t& label : regions.values) label = region[label];
-        NarrowingGauge gauge(clearance, 0.05);
+        NarrowingGauge gauge(clearance, clearance, 0.05);
         for (int k = 0; k < 10; ++k) {
             const std::size_t seed = random.below(regions.values.size());
             if (regions.values[seed] == 0) continue;
             const double angle = random.uniform(0.0, 3.0);
             const Direction along{std::cos(angle), std::sin(angle)};
             const Cell cell = regions.cell(seed);
-            expect_same(gauge.walk_outward(cell, along, {basins.labels, region}).side,
-                        walk_plainly(clearance, regions, cell, along));
+            expect_same(
+                side_of(gauge.walk_outward(cell, {basins.labels, region}), Among::all, along),
+                walk_plainly(clearance, regions, cell, along));
             ++num_walks;
         }
     }
@@ -266,10 +268,11 @@ TEST(SegmentSteps, TreesAskedAllAtOnceAnswerAsTreesThatAreWalked) {
         for (auto& widening : opening.widening_m) {
             for (double& jamb : widening) jamb = random.uniform(0.0, 1.5);
         }
-        const std::array<float, kNumDoorCues> cues = door_cues(narrowing);
+        const BorderMeasure border = test::plain_border(narrowing);
+        const std::array<float, kNumDoorCues> cues = door_cues(border);
         double log_odds = kDoorBias;
         for (const DoorTree& tree : kDoorTrees) log_odds += leaf_of(tree, cues);
-        ASSERT_EQ(door_log_odds(narrowing), log_odds);
+        ASSERT_EQ(door_log_odds(border), log_odds);
     }
 }
 
@@ -280,8 +283,9 @@ TEST(SegmentSteps, WhatIsNotMeasuredAgainAfterAJoinWouldMeasureTheSame) {
         const auto open = random_floor(random, 200, 150);
         const Raster<float> clearance = clearance_m(open, 0.05);
         const Basins basins = build_basins(clearance, 0.05);
-        RegionGraph regions(basins.labels, basins.count, clearance, 0.05);
-        NarrowingGauge gauge(clearance, 0.05);
+        const test::PlainGround plain(clearance, 0.05);
+        RegionGraph regions(basins.labels, basins.count, plain.ground());
+        NarrowingGauge gauge = plain.gauge();
         for (int join = 0; join < 30; ++join) {
             std::vector<std::uint32_t> with_neighbours;
             for (std::uint32_t piece = 1; piece <= basins.count; ++piece) {
@@ -290,7 +294,13 @@ TEST(SegmentSteps, WhatIsNotMeasuredAgainAfterAJoinWouldMeasureTheSame) {
                 }
             }
             if (with_neighbours.empty()) break;
-            regions.measure_all(4.0, {2});
+            std::vector<RegionPair> pairs;
+            for (const std::uint32_t region : with_neighbours) {
+                for (const auto& [other, saddle] : regions.saddles(region)) {
+                    if (region < other) pairs.emplace_back(region, other);
+                }
+            }
+            regions.look_at(pairs, {2});
             const std::uint32_t a = with_neighbours[random.below(with_neighbours.size())];
             const auto& saddles = regions.saddles(a);
             auto chosen = saddles.begin();
@@ -299,9 +309,10 @@ TEST(SegmentSteps, WhatIsNotMeasuredAgainAfterAJoinWouldMeasureTheSame) {
             for (const auto& [other, saddle] : regions.saddles(a)) {
                 const Saddle& from_lower =
                     regions.saddles(std::min(a, other)).at(std::max(a, other));
-                const Narrowing kept = regions.measure(a, other);
+                const Narrowing kept = regions.measure(a, other).narrowing;
                 const Narrowing anew =
-                    regions.measure_at(from_lower, std::min(a, other), std::max(a, other), gauge);
+                    regions.measure_at(from_lower, from_lower, std::minmax(a, other), gauge)
+                        .narrowing;
                 EXPECT_EQ(kept.is_a_narrower, anew.is_a_narrower);
                 expect_same(kept.narrower, anew.narrower);
                 expect_same(kept.wider, anew.wider);

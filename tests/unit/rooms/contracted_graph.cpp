@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -21,11 +22,12 @@ struct Drawn {
           clearance(labels.origin, labels.width, labels.height, 0.2F) {}
 
     [[nodiscard]] RegionGraph regions(std::uint32_t count) const {
-        return RegionGraph(labels, count, clearance, 0.1);
+        return RegionGraph(labels, count, plain.ground());
     }
 
     Raster<std::uint32_t> labels;
     Raster<float> clearance;
+    test::PlainGround plain{clearance, 0.1};
 };
 
 TEST(ContractedGraph, WeightsByHand) {

@@ -15,6 +15,7 @@
 #include "quadcut/rooms/opening.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -50,10 +51,13 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (rooms.free.values[i] != 0) halves.values[i] = halves.cell(i).x < 84 ? 1 : 2;
     }
-    const RegionGraph regions(halves, 2, rooms.clearance, rooms.map.resolution_m);
+    const test::PlainGround plain(rooms.clearance, rooms.map.resolution_m);
+    RegionGraph regions(halves, 2, plain.ground());
+    regions.describe_all({});
     const Saddle saddle{{83, 38}, {84, 38}, rooms.clearance.at({83, 38})};
-    NarrowingGauge gauge(rooms.clearance, rooms.map.resolution_m);
-    const Narrowing narrowing = regions.measure_at(saddle, 1, 2, gauge);
+    NarrowingGauge gauge = plain.gauge();
+    const BorderMeasure border = regions.measure_at(saddle, saddle, {1, 2}, gauge);
+    const Narrowing& narrowing = border.narrowing;
     EXPECT_NEAR(saddle.clearance_m, 0.45F, 0.03F);
     EXPECT_GT(narrowing.narrower.peak_m.back(), 2.0 * narrowing.half_width_m);
     EXPECT_GE(narrowing.wider.peak_m.back(), narrowing.narrower.peak_m.back());
@@ -69,10 +73,10 @@ TEST(Narrowing, ADoorwayIsMeasuredAsOne) {
     for (const auto& side : opening.widening_m) {
         for (const double beyond_jamb : side) EXPECT_GT(beyond_jamb, 1.0) << "rooms are wider";
     }
-    EXPECT_GT(door_log_odds(narrowing), 0.0);
+    EXPECT_GT(door_log_odds(border), 0.0);
     // The same gauge gives the same answer again: no state is left from the first walk.
-    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, 1, 2, gauge)),
-                     door_log_odds(narrowing));
+    EXPECT_DOUBLE_EQ(door_log_odds(regions.measure_at(saddle, saddle, {1, 2}, gauge)),
+                     door_log_odds(border));
 }
 
 TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
@@ -86,12 +90,14 @@ TEST(Narrowing, TheMiddleOfACorridorIsNoDoor) {
     for (std::size_t i = 0; i < halves.values.size(); ++i) {
         if (clearance.values[i] > 0.0F) halves.values[i] = halves.cell(i).x < 100 ? 1 : 2;
     }
-    const RegionGraph regions(halves, 2, clearance, 0.05);
-    NarrowingGauge gauge(clearance, 0.05);
-    const Narrowing narrowing =
-        regions.measure_at({{99, 21}, {100, 21}, clearance.at({99, 21}), 40}, 1, 2, gauge);
-    EXPECT_LT(door_log_odds(narrowing), 0.0);
-    for (const auto& side : narrowing.opening.widening_m) {
+    const test::PlainGround plain(clearance, 0.05);
+    RegionGraph regions(halves, 2, plain.ground());
+    regions.describe_all({});
+    NarrowingGauge gauge = plain.gauge();
+    const Saddle saddle{{99, 21}, {100, 21}, clearance.at({99, 21}), 40};
+    const BorderMeasure border = regions.measure_at(saddle, saddle, {1, 2}, gauge);
+    EXPECT_LT(door_log_odds(border), 0.0);
+    for (const auto& side : border.narrowing.opening.widening_m) {
         for (const double beyond_jamb : side) EXPECT_LT(beyond_jamb, 0.01) << "the walls go on";
     }
 }
@@ -125,20 +131,21 @@ TEST(DoorModel, MoreWallNeverMakesADoorLessLikely) {
     for (const double wall : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
         narrowing.opening.thin_wall_m = {wall, wall};
         narrowing.opening.flush_wall_m = {wall, wall};
-        EXPECT_GE(door_log_odds(narrowing), before);
-        before = door_log_odds(narrowing);
+        EXPECT_GE(door_log_odds(test::plain_border(narrowing)), before);
+        before = door_log_odds(test::plain_border(narrowing));
     }
     for (const double beyond : {0.0, 0.5, 1.0, 1.5}) {
         narrowing.opening.widening_m = {{{beyond, beyond}, {beyond, beyond}}};
-        EXPECT_GE(door_log_odds(narrowing), before);
-        before = door_log_odds(narrowing);
+        EXPECT_GE(door_log_odds(test::plain_border(narrowing)), before);
+        before = door_log_odds(test::plain_border(narrowing));
     }
     EXPECT_GT(before, 0.0);
 }
 
 /// The basins of the two rooms, to be fused.
 struct TwoRoomsInPieces : TwoRooms {
-    RegionGraph regions{basins.labels, basins.count, clearance, map.resolution_m};
+    test::PlainGround plain{clearance, map.resolution_m};
+    RegionGraph regions{basins.labels, basins.count, plain.ground()};
 
     [[nodiscard]] std::uint32_t num_regions() const {
         std::uint32_t count = 0;
@@ -207,7 +214,13 @@ TEST(Fuse, ToStopHalfwayChangesNothing) {
 
 TEST(RegionGraph, WhatIsMeasuredAheadIsTheSame) {
     TwoRoomsInPieces ahead;
-    ahead.regions.measure_all(4.0, Executor{2});
+    std::vector<RegionPair> pairs;
+    for (std::uint32_t a = 1; a <= ahead.regions.num_pieces(); ++a) {
+        for (const auto& [b, saddle] : ahead.regions.saddles(a)) {
+            if (a < b) pairs.emplace_back(a, b);
+        }
+    }
+    ahead.regions.look_at(pairs, Executor{2});
     TwoRoomsInPieces asked;
     for (std::uint32_t a = 1; a <= asked.regions.num_pieces(); ++a) {
         for (const auto& [b, saddle] : asked.regions.saddles(a)) {

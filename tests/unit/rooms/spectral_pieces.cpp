@@ -14,6 +14,7 @@
 #include "quadcut/rooms/contracted_graph.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -33,7 +34,8 @@ TEST(SpectralPieces, TwoRoomsAreCutAtTheirDoor) {
     const GridMap map = test::two_rooms();
     const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), map.resolution_m);
     const Basins basins = build_basins(clearance, map.resolution_m);
-    RegionGraph regions(basins.labels, basins.count, clearance, map.resolution_m);
+    const test::PlainGround plain(clearance, map.resolution_m);
+    RegionGraph regions(basins.labels, basins.count, plain.ground());
     const ContractedGraph contracted = contract(regions);
     join_pieces(regions, contracted, cut_spectrally(contracted.graph, kMinAreaM2));
     std::set<std::uint32_t> left;

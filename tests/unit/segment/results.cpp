@@ -13,6 +13,7 @@
 #include "quadcut/rooms/regions.hpp"
 #include "quadcut/segment/inside.hpp"
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -59,12 +60,13 @@ TEST(Regions, AnOutlinedBoxBelongsToItsRoom) {
                                                  "a....a",  //
                                                  "a....a",  //
                                                  "aaaaaa"});
-    const Raster<std::uint8_t> free = drawn_mask({"......",  //
-                                                  ".####.",  //
-                                                  ".#..#.",  //
-                                                  ".####.",  //
-                                                  "......"});
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
+    const Raster<CellState> states = drawn_map({"......",  //
+                                                ".####.",  //
+                                                ".#..#.",  //
+                                                ".####.",  //
+                                                "......"})
+                                         .states;
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //
@@ -81,36 +83,38 @@ TEST(Regions, APocketBehindAThickWallOrTooLargeStaysOut) {
                     "a......a",  //
                     "aaaaaaaa"};
     Raster<std::uint32_t> labels = drawn_labels(rows);
-    const Raster<std::uint8_t> free = drawn_mask({"........",  //
-                                                  ".######.",  //
-                                                  ".######.",  //
-                                                  ".##..##.",  //
-                                                  ".######.",  //
-                                                  ".######.",  //
-                                                  "........"});
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 1.0).is_any);
+    const Raster<CellState> states = drawn_map({"........",  //
+                                                ".######.",  //
+                                                ".######.",  //
+                                                ".##..##.",  //
+                                                ".######.",  //
+                                                ".######.",  //
+                                                "........"})
+                                         .states;
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.1, 1.0).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "0.2 m of wall";
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.05, 0.0008).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.05, 0.0008).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "larger than a pocket may be";
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.05, 1.0).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.05, 1.0).is_any);
     EXPECT_NE(as_drawing(labels), rows) << "thin at this resolution";
 }
 
 TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
-    const Raster<std::uint8_t> free = drawn_mask({"......",  //
-                                                  ".####.",  //
-                                                  ".#..#.",  //
-                                                  ".####.",  //
-                                                  "......"});
+    const Raster<CellState> states = drawn_map({"......",  //
+                                                ".####.",  //
+                                                ".#..#.",  //
+                                                ".####.",  //
+                                                "......"})
+                                         .states;
     const Rows rows{"aaaaaa",  //
                     "a....a",  //
                     "a.bb.a",  //
                     "a....a",  //
                     "aaaaaa"};
     Raster<std::uint32_t> labels = drawn_labels(rows);
-    EXPECT_FALSE(adopt_pockets(labels, free, 0.1, 0.2).is_any);
+    EXPECT_FALSE(adopt_pockets(labels, states, 0.1, 0.2).is_any);
     EXPECT_EQ(as_drawing(labels), rows) << "two small rooms are no pockets of each other";
-    EXPECT_TRUE(adopt_pockets(labels, free, 0.1, 0.1).is_any);
+    EXPECT_TRUE(adopt_pockets(labels, states, 0.1, 0.1).is_any);
     EXPECT_EQ(as_drawing(labels), (Rows{"aaaaaa",  //
                                         "a.aa.a",  //
                                         "aaaaaa",  //
@@ -120,8 +124,8 @@ TEST(Regions, ACupboardThatWasTakenForARoomIsAdopted) {
 
 TEST(Regions, FurnitureAloneIsNoRoom) {
     Raster<std::uint32_t> labels = drawn_labels({"aabb", "aabb", "ccbb"});
-    const Raster<std::uint8_t> free = drawn_mask({"..#.", "..##", "####"});
-    drop_without_floor(labels, free);
+    const Raster<CellState> states = drawn_map({"..#.", "..##", "####"}).states;
+    drop_without_floor(labels, states);
     EXPECT_EQ(as_drawing(labels), (Rows{"aabb", "aabb", "..bb"}));
 }
 
@@ -152,8 +156,9 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     clear(83, 20, 87, 36);
     clear(83, 90, 87, 114);
     const Raster<float> clearance = clearance_m(mask_of(map, CellState::free), 0.05);
-    const std::vector<Door> doors =
-        find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
+    const test::PlainGround plain(clearance, 0.05);
+    const std::vector<Door> doors = find_doors(
+        labels, 2, plain.ground(), {as_it_lies(labels.box()), 0.05, map.map_from_image}, 0.3);
     ASSERT_EQ(doors.size(), 2U);
     EXPECT_NEAR(doors[0].width_m, 0.8, 0.06);
     EXPECT_NEAR(doors[1].width_m, 1.2, 0.06);
@@ -166,8 +171,8 @@ TEST(Doors, EveryOpeningBetweenTwoRoomsIsOne) {
     }
     EXPECT_NEAR(std::min(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.0, 0.05);
     EXPECT_NEAR(std::max(doors[0].jamb_1.y, doors[0].jamb_2.y), 20.0 + 1.8, 0.05);
-    EXPECT_EQ(find_doors(labels, 2, clearance, {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(),
-              1U)
+    EXPECT_EQ(
+        find_doors(labels, 2, plain.ground(), {as_it_lies(labels.box()), 0.05, {}}, 1.0).size(), 1U)
         << "the narrow one is out";
 }
 
