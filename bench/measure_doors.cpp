@@ -17,6 +17,7 @@
 
 #include "bench/cases.hpp"
 #include "bench/data_map.hpp"
+#include "bench/field_case.hpp"
 #include "bench/resampling.hpp"
 #include "eval/labels.hpp"
 #include "quadcut/map/clearance.hpp"
@@ -279,6 +280,22 @@ Decided decide_cluttered(std::size_t i, PieceSource pieces) {
             decide_by_truth(real.map, real.truth, pieces, LeftOut::is_void)};
 }
 
+/// Each kind of floor, straight and turned.
+void add_field(std::size_t num_each, PieceSource pieces, Report& report) {
+    const auto decided = run_cases<std::vector<Sample>>(3 * num_each, [&](std::size_t i) {
+        const FieldCase floor = i % 3 == 0   ? halls_and_corridor(i)
+                                : i % 3 == 1 ? cubicles(i)
+                                             : wall_of_posts(i);
+        if (i % 2 == 0) return decide_by_truth(floor.map, floor.truth, pieces);
+        const Resampling change = turned(floor.map, static_cast<double>(i * 37 % 90));
+        return decide_by_truth(resample(floor.map, change), resample_nearest(floor.truth, change),
+                               pieces);
+    });
+    for (std::size_t i = 0; i < decided.size(); ++i) {
+        report.add("field_" + std::to_string(i), "field_" + std::to_string(i), "field", decided[i]);
+    }
+}
+
 void add_simulated(std::size_t num_buildings, std::size_t num_cluttered, PieceSource pieces,
                    Report& report) {
     const auto decided = run_cases<Decided>(num_buildings + num_cluttered, [&](std::size_t i) {
@@ -311,6 +328,7 @@ int run(int argc, char** argv) {
     Report report(csv);
     add_data(pieces, report);
     add_simulated(num_buildings, num_cluttered, pieces, report);
+    add_field(num_cluttered / 2, pieces, report);
     report.print();
     return 0;
 }

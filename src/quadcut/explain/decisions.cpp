@@ -18,7 +18,8 @@ Verdict verdict_of(const RegionGraph& regions, std::uint32_t a, std::uint32_t b,
         return regions.area_m2(region) < options.min_room_m2 ||
                2.0 * regions.peak_m(region) < options.min_passable_m;
     };
-    if (2.0 * decision.border.narrowing.half_width_m > options.door_width_m) return Verdict::too_wide;
+    if (2.0 * decision.border.narrowing.half_width_m > options.door_width_m)
+        return Verdict::too_wide;
     if (decision.log_odds < fuse_threshold(options.granularity)) return Verdict::no_door;
     return is_small(a) || is_small(b) ? Verdict::too_small : Verdict::one_piece;
 }

@@ -292,7 +292,9 @@ std::uint32_t split_at_lines(const WallLines& lines, Raster<std::uint32_t>& labe
 void spread_labels(const Raster<std::uint8_t>& open, Raster<std::uint32_t>& labels) {
     const auto width = static_cast<std::size_t>(labels.width);
     std::vector<std::size_t> front;
-    const auto is_bare = [&](std::size_t i) { return open.values[i] != 0 && labels.values[i] == 0; };
+    const auto is_bare = [&](std::size_t i) {
+        return open.values[i] != 0 && labels.values[i] == 0;
+    };
     const auto for_each_neighbour = [&](std::size_t i, const auto& visit) {
         const std::size_t x = i % width;
         if (x > 0) visit(i - 1);
@@ -311,7 +313,8 @@ void spread_labels(const Raster<std::uint8_t>& open, Raster<std::uint32_t>& labe
         for (const std::size_t i : front) {
             if (labels.values[i] != 0) continue;
             std::uint32_t label = 0;
-            for_each_neighbour(i, [&](std::size_t k) { label = std::max(label, labels.values[k]); });
+            for_each_neighbour(i,
+                               [&](std::size_t k) { label = std::max(label, labels.values[k]); });
             reached.emplace_back(i, label);
         }
         front.clear();

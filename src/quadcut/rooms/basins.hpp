@@ -23,8 +23,8 @@ struct Basins {
 [[nodiscard]] Basins build_basins(const Raster<float>& clearance_m, double resolution_m,
                                   const Executor& executor = {});
 
-/// Cuts basins where walls would go on: each connected part that is left has a label of its own, the
-/// cells of the lines have none. Returns the number of labels. O(cells).
+/// Cuts basins where walls would go on: each connected part that is left has a label of its own,
+/// the cells of the lines have none. Returns the number of labels. O(cells).
 std::uint32_t split_at_lines(const WallLines& lines, Raster<std::uint32_t>& labels,
                              const Executor& executor = {});
 

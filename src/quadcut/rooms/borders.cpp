@@ -44,40 +44,42 @@ bool widen(std::map<Key, Saddle>& saddles, const Key& key, const Saddle& saddle)
     return is_wider;
 }
 
+/// What is narrower passes nobody, not even a leg: such places, as between the posts of a wall, do
+/// not make a border longer.
+constexpr float kSlitM = 0.08F;
+
 }  // namespace
+
+void add_contact(const Contact& contact, const Raster<float>& clearance_m, const WallLines& lines,
+                 Saddle& saddle) {
+    const float height = std::min(clearance_m.at(contact.a), clearance_m.at(contact.b));
+    if (height > saddle.clearance_m) move_to({contact.a, contact.b, height}, saddle);
+    if (height < kSlitM) return;
+    ++saddle.num_contacts;
+    if (lines.more_dm.values.empty()) return;
+    const bool is_at_a = lines.more_dm.at(contact.a) >= lines.more_dm.at(contact.b);
+    const Cell cell = is_at_a ? contact.a : contact.b;
+    if (lines.more_dm.at(cell) == 0) return;
+    ++saddle.num_in_line;
+    saddle.less_wall_dm += lines.less_dm.at(cell);
+    saddle.more_wall_dm += lines.more_dm.at(cell);
+}
 
 std::array<BorderSaddles, 2> border_saddles(const Raster<std::uint32_t>& pieces,
                                             const Raster<float>& clearance_m,
                                             const Raster<float>& free_clearance_m,
                                             const WallLines& lines, const Executor& executor) {
     using Both = std::array<Saddle, 2>;
-    const auto add = [&](const Contact& contact, float height, Saddle& saddle) {
-        if (height <= 0.0F) return;
-        if (saddle.num_contacts == 0 || height > saddle.clearance_m) {
-            move_to({contact.a, contact.b, height}, saddle);
-        }
-        ++saddle.num_contacts;
-        if (lines.more_dm.values.empty()) return;
-        const bool is_at_a = lines.more_dm.at(contact.a) >= lines.more_dm.at(contact.b);
-        const Cell cell = is_at_a ? contact.a : contact.b;
-        if (lines.more_dm.at(cell) == 0) return;
-        ++saddle.num_in_line;
-        saddle.less_wall_dm += lines.less_dm.at(cell);
-        saddle.more_wall_dm += lines.more_dm.at(cell);
-    };
     const auto parts = for_each_contact<std::map<std::pair<std::uint32_t, std::uint32_t>, Both>>(
         pieces, executor, [&](Both& saddles, const Contact& contact) {
-            const auto height = [&](const Raster<float>& clearance) {
-                return std::min(clearance.at(contact.a), clearance.at(contact.b));
-            };
-            add(contact, height(clearance_m), saddles[0]);
-            add(contact, height(free_clearance_m), saddles[1]);
+            add_contact(contact, clearance_m, lines, saddles[0]);
+            add_contact(contact, free_clearance_m, lines, saddles[1]);
         });
     std::array<BorderSaddles, 2> all;
     for (const auto& part : parts) {
         for (const auto& [pair, saddles] : part) {
             for (std::size_t k = 0; k < all.size(); ++k) {
-                if (saddles[k].num_contacts > 0) widen(all[k], pair, saddles[k]);
+                if (saddles[k].clearance_m > 0.0F) widen(all[k], pair, saddles[k]);
             }
         }
     }

@@ -11,6 +11,7 @@
 
 #include "quadcut/base/parallel.hpp"
 #include "quadcut/map/raster.hpp"
+#include "quadcut/rooms/contacts.hpp"
 #include "quadcut/rooms/narrowing.hpp"
 #include "quadcut/rooms/wall_lines.hpp"
 
@@ -18,6 +19,10 @@ namespace quadcut {
 
 /// The saddle of each two pieces a < b that touch, at the cell of a.
 using BorderSaddles = std::map<std::pair<std::uint32_t, std::uint32_t>, Saddle>;
+
+/// Counts a contact as one more of a border, and moves its saddle there if it is wider.
+void add_contact(const Contact& contact, const Raster<float>& clearance_m, const WallLines& lines,
+                 Saddle& saddle);
 
 /// The widest saddle of each two labels that touch where there is clearance, in each of two
 /// clearances. O(cells).

@@ -35,7 +35,8 @@ double weight(const RegionGraph& regions, std::uint32_t a, std::uint32_t b, cons
     const double distance = std::max(1.0, std::hypot(p.x - q.x, p.y - q.y));
     const double openness =
         static_cast<double>(saddle.clearance_m) / std::max(regions.peak_m(a), regions.peak_m(b));
-    return static_cast<double>(saddle.num_contacts) / distance * openness * openness *
+    const auto num_contacts = static_cast<double>(std::max<std::size_t>(1, saddle.num_contacts));
+    return num_contacts / distance * openness * openness *
            (1.0 - kWallsKeepApart * share_of_walls(saddle));
 }
 

@@ -127,13 +127,16 @@ std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border) {
         put(static_cast<float>(shape->area_m2 / std::max(1e-3, shape->hull_m2)));
         put(static_cast<float>(shape->around_m.width));
         put(logarithm(shape->around_m.length / std::max(1e-3, shape->around_m.width)));
-        put(static_cast<float>(shape->area_m2 / std::max(1e-3, shape->around_m.width * shape->around_m.length)));
+        put(static_cast<float>(shape->area_m2 /
+                               std::max(1e-3, shape->around_m.width * shape->around_m.length)));
         put(static_cast<float>(shape->open_share));
         put(static_cast<float>(4.0 * shape->mean_clearance_m));
         put(static_cast<float>(4.0 * shape->mean_free_clearance_m));
     }
-    put(logarithm(border.narrower.mean_clearance_m / std::max(1e-3, border.wider.mean_clearance_m)));
-    put(logarithm(border.joined.hull_m2 / std::max(1e-3, border.narrower.hull_m2 + border.wider.hull_m2)));
+    put(logarithm(border.narrower.mean_clearance_m /
+                  std::max(1e-3, border.wider.mean_clearance_m)));
+    put(logarithm(border.joined.hull_m2 /
+                  std::max(1e-3, border.narrower.hull_m2 + border.wider.hull_m2)));
     for (const double m : border.open_in_line_m) put(static_cast<float>(m));
     for (const double m : border.free_in_line_m) put(static_cast<float>(m));
     return cues;

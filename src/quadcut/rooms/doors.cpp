@@ -58,13 +58,11 @@ std::vector<std::vector<Contact>> split_into_openings(const std::vector<Contact>
     return openings;
 }
 
-Saddle widest_contact(const std::vector<Contact>& opening, const Raster<float>& clearance) {
-    Saddle widest;
-    for (const Contact& contact : opening) {
-        const float height = std::min(clearance.at(contact.a), clearance.at(contact.b));
-        if (height > widest.clearance_m) widest = {contact.a, contact.b, height, opening.size()};
-    }
-    return widest;
+Saddle saddle_of(const std::vector<Contact>& opening, const Raster<float>& clearance_m,
+                 const WallLines& lines) {
+    Saddle saddle;
+    for (const Contact& contact : opening) add_contact(contact, clearance_m, lines, saddle);
+    return saddle;
 }
 
 /// The middle of a jamb's obstacle cell in the map frame: the surface that a cell stands for lies
@@ -141,8 +139,8 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
     std::vector<Found> openings;
     for (const auto& [pair, contacts] : find_contacts(labels, executor)) {
         for (auto& opening : split_into_openings(contacts)) {
-            const Saddle saddle = widest_contact(opening, ground.clearance_m);
-            const Saddle free_saddle = widest_contact(opening, ground.free_clearance_m);
+            const Saddle saddle = saddle_of(opening, ground.clearance_m, ground.lines);
+            const Saddle free_saddle = saddle_of(opening, ground.free_clearance_m, ground.lines);
             // Where nothing fits through is no door.
             if (saddle.clearance_m <= 0.0F || !box.contains(saddle.a)) continue;
             openings.push_back({pair, std::move(opening), saddle, free_saddle, {}});

@@ -19,6 +19,10 @@ constexpr double kLogOddsOfGranularity = 12.0;
 constexpr double kDefaultLogOdds = 0.6;
 /// Below all log-odds of what is measured.
 constexpr double kNoDoor = -100.0;
+/// Above them: what is as narrow as this among walls passes nobody, and is a wall that was seen in
+/// pieces.
+constexpr double kWall = 100.0;
+constexpr double kPassesNobodyM = 0.25;
 /// Where two rooms have been, the opening between may be so much wider.
 constexpr double kWiderOfEarlier = 1.25;
 constexpr std::size_t kBordersPerChunk = 4;
@@ -49,13 +53,17 @@ Fuser::Fuser(RegionGraph& regions, double max_width_m, const Executor& executor,
 void Fuser::push(std::uint32_t a, std::uint32_t b) {
     // A pair has the same place in the order from whichever side it is looked at.
     if (a > b) std::swap(a, b);
-    const Candidate candidate{kNoDoor, a, b, regions_.version(a), regions_.version(b)};
+    Candidate candidate{kNoDoor, a, b, regions_.version(a), regions_.version(b)};
     const double width_m = 2.0 * static_cast<double>(regions_.saddles(a).at(b).clearance_m);
     const double earlier = earlier_.log_odds(regions_, a, b);
     if (width_m > max_width_m_ * (earlier > 0.0 ? kWiderOfEarlier : 1.0)) {
         queue_.push(candidate);
+    } else if (width_m < kPassesNobodyM) {
+        candidate.log_odds = kWall + earlier;
+        queue_.push(candidate);
     } else {
-        waiting_.push_back({candidate, regions_.num_openings(a), regions_.num_openings(b), earlier});
+        waiting_.push_back(
+            {candidate, regions_.num_openings(a), regions_.num_openings(b), earlier});
     }
 }
 
@@ -77,8 +85,8 @@ void Fuser::measure_waiting() {
             for (std::size_t i = first; i < last; ++i) {
                 Waiting& waiting = waiting_[i];
                 waiting.candidate.log_odds =
-                    waiting.earlier + door_log_odds(regions_.measured(
-                                          pairs[i], waiting.openings_a, waiting.openings_b));
+                    waiting.earlier + door_log_odds(regions_.measured(pairs[i], waiting.openings_a,
+                                                                      waiting.openings_b));
             }
         });
     for (const Waiting& waiting : waiting_) queue_.push(waiting.candidate);

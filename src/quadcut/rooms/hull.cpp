@@ -31,8 +31,7 @@ void add_chain(Iterator first, Iterator last, std::vector<Point>& corners) {
 /// A corner that lies farther on; those before that are in its shadow go. `side` 1: a chain that
 /// turns left.
 void add_corner(const Point& corner, double side, std::vector<Point>& chain) {
-    while (chain.size() >= 2 &&
-           side * turn(chain[chain.size() - 2], chain.back(), corner) <= 0.0) {
+    while (chain.size() >= 2 && side * turn(chain[chain.size() - 2], chain.back(), corner) <= 0.0) {
         chain.pop_back();
     }
     chain.push_back(corner);

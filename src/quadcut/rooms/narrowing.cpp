@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,8 @@ std::int32_t stride_of(double resolution_m) {
     return std::max(1, static_cast<std::int32_t>(std::lround(kStepM / resolution_m)));
 }
 
+bool is_reached(std::uint16_t length) { return length != kBlocked && length < kUnreached; }
+
 double path_m(unsigned length, double step_m) {
     return static_cast<double>(length - kStart) * step_m / kStraight;
 }
@@ -42,6 +45,8 @@ public:
           seed_(seed),
           seed_offset_(clearance_.offset(seed)),
           regions_(regions),
+          pieces_(regions.pieces.values.data()),
+          own_piece_(pieces_[seed_offset_]),
           region_(regions.region_at(seed_offset_)),
           walked_(walked) {
         const auto up = static_cast<std::int32_t>(1U << gauge.row_bits_);
@@ -57,8 +62,8 @@ public:
     void go() {
         look_around();
         walk_behind();
-        for (std::size_t i = 0; i < walked_.within.size(); ++i) {
-            if (i > 0) add(walked_.within[i - 1], walked_.within[i]);
+        for (std::size_t i = 1; i < walked_.within.size(); ++i) {
+            add(walked_.within[i - 1], walked_.within[i]);
         }
         walked_.reach_m = path_m(most_, gauge_.step_m_);
         std::fill(gauge_.length_.begin() + lowest_, gauge_.length_.begin() + highest_ + 1, kUnseen);
@@ -94,8 +99,14 @@ private:
         lowest_ = std::min(lowest_, place);
         highest_ = std::max(highest_, place);
         if (!is_inside(place)) return kBlocked;
-        const std::uint32_t own = regions_.region_at(offset_at(place));
-        if (own == region_) return kUnreached;
+        // Most places are of the piece that the one before was of.
+        const std::uint32_t piece = pieces_[offset_at(place)];
+        if (piece == own_piece_) return kUnreached;
+        const std::uint32_t own = regions_.region_of_piece[piece];
+        if (own == region_) {
+            own_piece_ = piece;
+            return kUnreached;
+        }
         if (own != 0 && (walked_.met.empty() || walked_.met.back() != own)) {
             walked_.met.push_back(own);
         }
@@ -118,37 +129,28 @@ private:
         const std::size_t offset = offset_at(place);
         const std::int64_t x = x_of(place);
         const std::int64_t y = y_of(place);
-        const std::size_t i = length <= gauge_.noted_at_[0]   ? 0
-                              : length <= gauge_.noted_at_[1] ? 1
-                                                              : 2;
-        WalkedSide::Within& within = walked_.within[i];
-        within.peak_m[0] = std::max(within.peak_m[0], clearance_.values[offset]);
-        within.peak_m[1] = std::max(within.peak_m[1], free_clearance_.values[offset]);
-        ++within.count;
-        within.sum_xx += x * x;
-        within.sum_xy += x * y;
-        within.sum_yy += y * y;
+        std::size_t i = 0;
+        while (length > gauge_.noted_at_[i]) ++i;
+        const WalkedSide::Within one{
+            {clearance_.values[offset], free_clearance_.values[offset]}, 1, x * x, x * y, y * y};
+        add(one, walked_.within[i]);
         most_ = std::max(most_, length);
     }
-    /// What lies nearer lies within the larger distance, too.
-    static void add(const WalkedSide::Within& nearer, WalkedSide::Within& within) {
+    static void add(const WalkedSide::Within& more, WalkedSide::Within& within) {
         for (std::size_t k = 0; k < within.peak_m.size(); ++k) {
-            within.peak_m[k] = std::max(within.peak_m[k], nearer.peak_m[k]);
+            within.peak_m[k] = std::max(within.peak_m[k], more.peak_m[k]);
         }
-        within.count += nearer.count;
-        within.sum_xx += nearer.sum_xx;
-        within.sum_xy += nearer.sum_xy;
-        within.sum_yy += nearer.sum_yy;
+        within.count += more.count;
+        within.sum_xx += more.sum_xx;
+        within.sum_xy += more.sum_xy;
+        within.sum_yy += more.sum_yy;
     }
 
-    [[nodiscard]] bool is_reached(unsigned place) const {
-        const std::uint16_t length = gauge_.length_[place];
-        return length != kBlocked && length < kUnreached;
-    }
     /// The places with a shortest way from the seed all of whose places lie in the region.
     void look_around() {
-        gauge_.length_[centre()] = look_at(centre());
-        settle(centre(), kStart);
+        (void)is_blocked(centre());
+        gauge_.length_[centre()] = kStart;
+        visit(centre(), kStart);
         // How far the row before goes, to the right and to the left.
         std::array<std::int32_t, 2> first{};
         look_along(0, 1, 1, first[0]);
@@ -162,60 +164,118 @@ private:
             }
         }
     }
+    static std::uint16_t shortest(unsigned x, unsigned y) {
+        return static_cast<std::uint16_t>(kStart + kStraight * std::max(x, y) +
+                                          (kDiagonal - kStraight) * std::min(x, y));
+    }
+    /// In row y, the last place from the seed's column on to which the way may be so short; -1:
+    /// none.
+    static std::int32_t last_within(unsigned length, std::int32_t y) {
+        constexpr auto kAlong = static_cast<std::int32_t>(kStraight);
+        constexpr auto kAside = static_cast<std::int32_t>(kDiagonal - kStraight);
+        const auto left = static_cast<std::int32_t>(length - kStart);
+        if (left < kAlong * y) return -1;
+        return left >= (kAlong + kAside) * y ? (left - kAside * y) / kAlong
+                                             : (left - kAlong * y) / kAside;
+    }
     /// One half of a row, from the seed's column outward; `end` is as far as the row before went,
     /// and then as far as this one. Whether anything is reached.
     bool look_along(std::int32_t y, std::int32_t up, std::int32_t side, std::int32_t& end) {
-        const auto row = static_cast<std::int32_t>(centre()) + y * up * steps_[1];
-        const std::int32_t back = -up * steps_[1];
-        const auto length_of = [&](std::int32_t x) {
-            return kStart + kStraight * static_cast<unsigned>(std::max(x, y)) +
-                   (kDiagonal - kStraight) * static_cast<unsigned>(std::min(x, y));
-        };
+        const std::int32_t begin = static_cast<std::int32_t>(centre()) + y * up * steps_[1];
+        std::uint16_t* const row = gauge_.length_.data() + begin;
+        const std::uint16_t* const before = row - up * steps_[1];
         std::int32_t last = -1;
         // The seed is settled, and its column is looked at with the right half.
-        for (std::int32_t x = side > 0 && y > 0 ? 0 : 1; x <= std::max(end, last) + 1; ++x) {
-            const auto place = static_cast<unsigned>(row + side * x);
-            const bool is_from_corner =
-                x > 0 && y > 0 && is_reached(place + static_cast<unsigned>(back - side));
-            const bool is_from_side = x > y && is_reached(place - static_cast<unsigned>(side));
-            const bool is_from_below = y > x && is_reached(place + static_cast<unsigned>(back));
-            if (!is_from_corner && !is_from_side && !is_from_below) continue;
-            const unsigned length = length_of(x);
-            if (length > gauge_.longest_) break;
-            if (is_blocked(place)) continue;
-            settle(place, length);
-            last = x;
+        std::int32_t x = side > 0 && y > 0 ? 0 : 1;
+        bool is_from_side = y == 0;
+        bool is_from_corner = y > 0 && x > 0 && is_reached(before[0]);
+        for (std::size_t i = 0; i < walked_.within.size(); ++i) {
+            // Of the places within this length: sums over them, in steps.
+            std::array<float, 2> peak_m{};
+            std::int32_t count = 0;
+            std::int32_t sum_x = 0;
+            std::int32_t sum_xx = 0;
+            const std::int32_t stop = last_within(gauge_.noted_at_[i], y);
+            for (; x <= stop && (x <= end + 1 || is_from_side); ++x) {
+                const bool is_from_below = y > 0 && is_reached(before[side * x]);
+                const bool is_near =
+                    is_from_corner || (x < y ? is_from_below : x > y && is_from_side);
+                is_from_corner = is_from_below;
+                is_from_side = false;
+                if (!is_near) continue;
+                const auto place = static_cast<unsigned>(begin + side * x);
+                std::uint16_t& length = row[side * x];
+                length = look_at(place);
+                if (length == kBlocked) continue;
+                const std::size_t offset = offset_at(place);
+                length = shortest(static_cast<unsigned>(x), static_cast<unsigned>(y));
+                is_from_side = true;
+                last = x;
+                peak_m[0] = std::max(peak_m[0], clearance_.values[offset]);
+                peak_m[1] = std::max(peak_m[1], free_clearance_.values[offset]);
+                ++count;
+                sum_x += x;
+                sum_xx += x * x;
+            }
+            add({peak_m, count, sum_xx, std::int64_t{side * up * y} * sum_x,
+                 std::int64_t{y} * y * count},
+                walked_.within[i]);
         }
         end = std::max(last, 0);
+        farthest_ = std::max(farthest_, end);
+        if (last >= 0) most_ = std::max<unsigned>(most_, row[side * last]);
         return last >= 0;
     }
-    void settle(unsigned place, unsigned length) {
-        gauge_.length_[place] = static_cast<std::uint16_t>(length);
-        visit(place, length);
-        gauge_.settled_.push_back(static_cast<std::uint16_t>(place));
-    }
 
+    /// Ways out of what was looked at, the shortest first.
+    void find_starts(std::vector<Start>& starts) {
+        const auto up = static_cast<std::size_t>(steps_[1]);
+        const std::uint16_t* const length = gauge_.length_.data();
+        std::vector<std::uint16_t>& most = gauge_.most_around_;
+        most.resize(up);
+        const unsigned low_row = lowest_ >> gauge_.row_bits_;
+        const unsigned high_row = highest_ >> gauge_.row_bits_;
+        const auto first = static_cast<std::size_t>(gauge_.radius_ - farthest_);
+        const auto last = static_cast<std::size_t>(gauge_.radius_ + farthest_) + 1;
+        for (unsigned y = std::max(1U, low_row); y <= high_row; ++y) {
+            // The largest beside each place: where nothing is unseen nothing goes on.
+            const std::uint16_t* const row = length + y * up;
+            const std::uint16_t* const below = row - up;
+            const std::uint16_t* const above = row + up;
+            for (std::size_t x = first; x < last; ++x) {
+                const auto larger = [](std::uint16_t p, std::uint16_t q) { return std::max(p, q); };
+                const auto column = [&](std::size_t i) { return larger(below[i], above[i]); };
+                most[x] = larger(larger(column(x - 1), column(x)),
+                                 larger(column(x + 1), larger(row[x - 1], row[x + 1])));
+            }
+            for (std::size_t x = first; x < last; ++x) {
+                if (most[x] >= kUnreached && is_reached(row[x])) {
+                    add_starts(static_cast<unsigned>(y * up + x), starts);
+                }
+            }
+        }
+        std::sort(starts.begin(), starts.end(), [](const Start& p, const Start& q) {
+            return std::tie(p.length, p.place, p.way) < std::tie(q.length, q.place, q.way);
+        });
+    }
+    void add_starts(unsigned place, std::vector<Start>& starts) {
+        for (unsigned way = 0; way < 8; ++way) {
+            const unsigned next = ahead(place, way);
+            const unsigned length = gauge_.length_[place] + (way < 4 ? kStraight : kDiagonal);
+            if (gauge_.length_[next] < kUnreached || length > gauge_.longest_) continue;
+            if (!is_blocked(next)) starts.push_back({length, next, way});
+        }
+    }
     /// Ways around corners, nearest places first (Dial's buckets).
     void walk_behind() {
         std::vector<Start>& starts = gauge_.starts_;
-        for (const unsigned place : gauge_.settled_) {
-            for (unsigned way = 0; way < 8; ++way) {
-                const unsigned next = ahead(place, way);
-                if (gauge_.length_[next] < kUnreached || is_blocked(next)) continue;
-                const unsigned length = gauge_.length_[place] + (way < 4 ? kStraight : kDiagonal);
-                starts.push_back({length, next, way});
-            }
-        }
-        gauge_.settled_.clear();
-        std::stable_sort(starts.begin(), starts.end(),
-                         [](const Start& p, const Start& q) { return p.length < q.length; });
+        find_starts(starts);
         auto start = starts.begin();
         std::size_t num_idle = gauge_.fronts_.size();
         for (unsigned length = kStart; length <= gauge_.longest_; ++length) {
             if (num_idle >= gauge_.fronts_.size()) {
                 if (start == starts.end()) break;
                 length = start->length;
-                if (length > gauge_.longest_) break;
             }
             for (; start != starts.end() && start->length == length; ++start) {
                 reach(start->place, start->way, length);
@@ -268,9 +328,13 @@ private:
     std::size_t seed_offset_;
     bool is_all_inside_ = false;
     const RegionsView& regions_;
+    const std::uint32_t* pieces_;
+    std::uint32_t own_piece_;
     std::uint32_t region_;
     WalkedSide& walked_;
     unsigned most_ = kStart;
+    /// From the seed's column, of what was looked at.
+    std::int32_t farthest_ = 0;
     std::array<std::int32_t, 8> steps_{};
     unsigned lowest_ = static_cast<unsigned>(-1);
     unsigned highest_ = 0;
@@ -302,24 +366,6 @@ WalkedSide NarrowingGauge::walk_outward(Cell seed, const RegionsView& regions) {
     std::sort(walked.met.begin(), walked.met.end());
     walked.met.erase(std::unique(walked.met.begin(), walked.met.end()), walked.met.end());
     return walked;
-}
-
-SideOfSaddle side_of(const WalkedSide& walked, Among obstacles, const Direction& along) {
-    SideOfSaddle side;
-    side.reach_m = walked.reach_m;
-    for (std::size_t i = 0; i < walked.within.size(); ++i) {
-        const WalkedSide::Within& within = walked.within[i];
-        side.peak_m[i] = static_cast<double>(within.peak_m[obstacles == Among::walls ? 0 : 1]);
-        // Areas are noted at the last two only; the walk of no region has none.
-        if (i == 0 || within.count == 0) continue;
-        const auto count = static_cast<double>(within.count);
-        const double sum_squares = along.x * along.x * static_cast<double>(within.sum_xx) +
-                                   2.0 * along.x * along.y * static_cast<double>(within.sum_xy) +
-                                   along.y * along.y * static_cast<double>(within.sum_yy);
-        side.area_m2[i - 1] = count * walked.step_m * walked.step_m;
-        side.spread_m[i - 1] = std::sqrt(std::max(0.0, sum_squares) / count) * walked.step_m;
-    }
-    return side;
 }
 
 Narrowing put_together(const Saddle& saddle, const Opening& opening, const SideOfSaddle& side_a,

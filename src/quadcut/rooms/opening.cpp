@@ -30,6 +30,15 @@ struct Surroundings {
         return clearance.contains(cell) && clearance.at(cell) > 0.0F;
     }
     [[nodiscard]] bool is_open(const Point& at) const { return is_open(cell_of(at)); }
+    /// From a point on, whatever the direction, all is open for so many cells, and one beside it.
+    [[nodiscard]] double open_cells_from(const Point& at) const {
+        const Cell cell = cell_of(at);
+        if (!clearance.contains(cell)) return 0.0;
+        // Both points may lie half a diagonal away from the middles of their cells.
+        constexpr double kBesideAndDiagonal = 2.0;
+        return std::floor(static_cast<double>(clearance.at(cell)) / resolution_m -
+                          kBesideAndDiagonal);
+    }
     /// Whether there is free space within 0.4 m of a point, to that side.
     [[nodiscard]] bool is_open_beside(const Point& at, const Direction& side) const {
         for (double t = 1.0; t <= kFaceWithinM / resolution_m; t += 1.0) {
@@ -117,6 +126,12 @@ double wall_in_line_m(const Surroundings& around, Cell jamb, const Direction& al
     const Direction left{-along.y, along.x};
     const Direction right{along.y, -along.x};
     for (double t = 0.0; t <= kLineM / around.resolution_m; t += 1.0) {
+        const double num_open =
+            around.open_cells_from({jamb.x + 0.5 + t * along.x, jamb.y + 0.5 + t * along.y});
+        if (num_open >= 1.0) {
+            t += num_open;
+            continue;
+        }
         for (const double off : {0.0, -1.0, 1.0}) {
             const Point at{jamb.x + 0.5 + t * along.x + off * left.x,
                            jamb.y + 0.5 + t * along.y + off * left.y};

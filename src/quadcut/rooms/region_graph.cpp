@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "quadcut/map/morton.hpp"
 #include "quadcut/rooms/label_tally.hpp"
 
 namespace quadcut {
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kLineM = 6.0;
 constexpr std::size_t kShapesPerChunk = 16;
+/// Fewer measures take less time than to wake up a thread.
+constexpr std::size_t kFewForAThread = 6;
 
 std::size_t index_of(Among obstacles) { return obstacles == Among::walls ? 0 : 1; }
 
@@ -59,7 +62,6 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     struct Piece : Extent {
         HullOfRows rows;
     };
-    const auto width = static_cast<std::size_t>(pieces.width);
     auto extents = tally_by_label<Piece>(
         pieces, executor,
         [&](Piece& piece, const LabelRun& run) {
@@ -82,17 +84,7 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
             piece.rows.add(y, x, x + num_cells);
             piece.is_cluttered = piece.is_cluttered ||
                                  !std::equal(clearance, clearance + run.num_cells, free_clearance);
-            const auto look = [&](std::size_t at) {
-                if (pieces.values[at] != 0) return;
-                if (ground.states.values[at] == CellState::unknown) ++piece.num_unknown;
-                if (ground.states.values[at] == CellState::occupied) ++piece.num_occupied;
-            };
-            if (run.x > 0) look(run.offset - 1);
-            if (run.x + run.num_cells < width) look(run.offset + run.num_cells);
-            for (std::size_t i = run.offset; i < run.offset + run.num_cells; ++i) {
-                if (run.y > 0) look(i - width);
-                if (i + width < pieces.values.size()) look(i + width);
-            }
+            add_sides(run, piece);
         },
         [](Piece& piece, Piece& other) {
             other.corners = other.rows.take().corners;
@@ -101,6 +93,21 @@ RegionGraph::RegionGraph(const Raster<std::uint32_t>& pieces, std::uint32_t num_
     for (std::size_t i = 0; i < extents.size(); ++i) extent_[i] = std::move(extents[i]);
     for (Extent& extent : extent_) {
         extent.area_m2 = extent.num_cells * ground.resolution_m * ground.resolution_m;
+    }
+}
+
+void RegionGraph::add_sides(const LabelRun& run, Sums& sums) const {
+    const auto width = static_cast<std::size_t>(pieces_.width);
+    const auto look = [&](std::size_t at) {
+        if (pieces_.values[at] != 0) return;
+        if (ground_.states.values[at] == CellState::unknown) ++sums.num_unknown;
+        if (ground_.states.values[at] == CellState::occupied) ++sums.num_occupied;
+    };
+    if (run.x > 0) look(run.offset - 1);
+    if (run.x + run.num_cells < width) look(run.offset + run.num_cells);
+    for (std::size_t i = run.offset; i < run.offset + run.num_cells; ++i) {
+        if (run.y > 0) look(i - width);
+        if (i + width < pieces_.values.size()) look(i + width);
     }
 }
 
@@ -172,12 +179,21 @@ void RegionGraph::look_at(std::span<const RegionPair> pairs, const Executor& exe
         collect_unseen(pair, Among::walls, unseen);
         if (is_cluttered(pair)) collect_unseen(pair, Among::all, unseen);
     }
+    // What lies near each other looks at the same cells.
+    const Box box = pieces_.box();
+    std::sort(unseen.walks.begin(), unseen.walks.end(), [&](const auto& p, const auto& q) {
+        return block_code(p.first, box) < block_code(q.first, box);
+    });
+    std::sort(unseen.openings.begin(), unseen.openings.end(), [&](const auto& p, const auto& q) {
+        return block_code(std::get<const Saddle*>(p)->a, box) <
+               block_code(std::get<const Saddle*>(q)->a, box);
+    });
     // A gauge for each thread. Some walks need far longer than others: one is taken at a time.
     const std::size_t num_walks = unseen.walks.size();
     const std::size_t num_measured = num_walks + unseen.openings.size();
     const std::size_t num_all = num_measured + unseen.shapes.size();
-    const std::size_t num_parts =
-        std::min(num_all, static_cast<std::size_t>(std::max(1, executor.num_threads)));
+    const std::size_t num_parts = std::min(
+        num_all / kFewForAThread + 1, static_cast<std::size_t>(std::max(1, executor.num_threads)));
     while (gauges_.size() < num_parts) gauges_.push_back(gauge());
     std::atomic<std::size_t> next = 0;
     parallel_for(executor, num_parts, 1, [&](std::size_t part, std::size_t) {
@@ -234,7 +250,7 @@ BorderMeasure RegionGraph::measure_at(const Saddle& saddle, const Saddle& free_s
     measure.narrowing = narrowing(saddle, Among::walls, walks);
     if (!is_cluttered(pair)) {
         measure.free_narrowing = measure.narrowing;
-    } else if (free_saddle.num_contacts > 0) {
+    } else if (free_saddle.clearance_m > 0.0F) {
         const bool is_same = free_saddle.a == saddle.a && free_saddle.b == saddle.b;
         measure.free_narrowing =
             narrowing(free_saddle, Among::all, is_same ? walks : walk_from(free_saddle));

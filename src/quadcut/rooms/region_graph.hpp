@@ -18,6 +18,7 @@
 #include "quadcut/map/raster.hpp"
 #include "quadcut/rooms/borders.hpp"
 #include "quadcut/rooms/hull.hpp"
+#include "quadcut/rooms/label_tally.hpp"
 #include "quadcut/rooms/narrowing.hpp"
 
 namespace quadcut {
@@ -196,6 +197,8 @@ private:
     [[nodiscard]] const Raster<float>& clearance(Among obstacles) const {
         return obstacles == Among::walls ? ground_.clearance_m : ground_.free_clearance_m;
     }
+    /// The sides of a run's cells towards what is in no piece.
+    void add_sides(const LabelRun& run, Sums& sums) const;
     void describe(Extent& extent) const;
     [[nodiscard]] RegionShape shape_of(const Sums& extent, const Hull& hull) const;
     /// Whether furniture makes the clearance another.

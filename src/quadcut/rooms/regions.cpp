@@ -149,9 +149,9 @@ std::vector<std::vector<std::size_t>> find_pockets(const Raster<std::uint32_t>& 
                                                    const Executor& executor) {
     const ConnectedParts parts = connected_parts(
         labels,
-        [&](std::size_t i) { return states.values[i] != CellState::free     ? 0U
-                                    : labels.values[i] != 0 ? 2U
-                                                            : 1U; },
+        [&](std::size_t i) {
+            return states.values[i] != CellState::free ? 0U : labels.values[i] != 0 ? 2U : 1U;
+        },
         Connectivity::four, executor);
     return parts.cells_of(parts.islands(std::floor(kTimesLarger * max_pocket_cells) + 1.0));
 }
@@ -206,7 +206,9 @@ void drop_without_floor(Raster<std::uint32_t>& labels, const Raster<CellState>& 
     const auto floor = tally_by_label<std::uint8_t>(
         labels, executor,
         [&](std::uint8_t& seen, const LabelRun& run) {
-            if (seen == 0 && std::memchr(&states.values[run.offset], static_cast<int>(CellState::free), run.num_cells) != nullptr) {
+            if (seen == 0 &&
+                std::memchr(&states.values[run.offset], static_cast<int>(CellState::free),
+                            run.num_cells) != nullptr) {
                 seen = 1;
             }
         },

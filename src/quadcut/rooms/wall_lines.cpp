@@ -72,8 +72,7 @@ std::vector<double> directions_of(const std::vector<Point>& points, double resol
                                   double extent_cells) {
     if (points.empty()) return {};
     const double bin_cells = 0.5 * kBandM / resolution_m;
-    std::vector<std::uint32_t> bins(
-        static_cast<std::size_t>(2.0 * extent_cells / bin_cells) + 8);
+    std::vector<std::uint32_t> bins(static_cast<std::size_t>(2.0 * extent_cells / bin_cells) + 8);
     const std::size_t stride = 1 + points.size() / kMaxSampled;
     std::array<double, kNumAngles> strength{};
     for (int k = 0; k < kNumAngles; ++k) {
@@ -215,8 +214,7 @@ private:
     }
     [[nodiscard]] double wall_m(const Run& run) const {
         const double length_m = (run.end - run.begin) * resolution_m_;
-        const bool is_wall =
-            length_m >= kMinWallM && run.seen >= kMinSeen * (run.end - run.begin);
+        const bool is_wall = length_m >= kMinWallM && run.seen >= kMinSeen * (run.end - run.begin);
         return is_wall ? std::min(length_m, kMaxLengthM) : 0.0;
     }
     void add_gaps(const std::vector<Run>& runs, std::size_t direction, std::int32_t band,
@@ -343,9 +341,8 @@ WallLines find_wall_lines(const Raster<std::uint8_t>& free, double resolution_m,
     });
     std::vector<Gap> gaps;
     for (const auto& some : found) gaps.insert(gaps.end(), some.begin(), some.end());
-    std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& p, const Gap& q) {
-        return p.strength() > q.strength();
-    });
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const Gap& p, const Gap& q) { return p.strength() > q.strength(); });
     Painter painter(free, resolution_m, lines);
     for (const Gap& gap : gaps) painter.paint(gap, bands[gap.direction]);
     return lines;

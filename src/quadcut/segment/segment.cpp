@@ -40,10 +40,9 @@ void complete(Raster<std::uint32_t> labels, const Ground& ground, const GridMap&
         throw InputError("the map has " + std::to_string(count) +
                          " rooms: expected at most 65535, the range of a label");
     }
-    result.doors = find_doors(labels, count, ground,
-                              {layout, map.resolution_m, map.map_from_image}, kMinDoorM, executor);
-    result.rooms =
-        describe_rooms(labels, count, map, layout, result.doors, executor);
+    result.doors = find_doors(labels, count, ground, {layout, map.resolution_m, map.map_from_image},
+                              kMinDoorM, executor);
+    result.rooms = describe_rooms(labels, count, map, layout, result.doors, executor);
     judge_seen(result.rooms, labels, map.states, layout, map.resolution_m, result.doors, way,
                executor);
     result.next_id = count + 1;
