@@ -220,8 +220,8 @@ TEST(SegmentSteps, OpenSpaceIsTheSameWhereverItLies) {
                 if (is_on_edge(floor, i)) floor.values[i] = 0;
                 away.at({cell.x + kAway.x, cell.y + kAway.y}) = floor.values[i];
             }
-            const auto here = open_space(floor, resolution_m, max_m2);
-            const auto there = open_space(away, resolution_m, max_m2);
+            const auto here = open_space(floor, resolution_m, max_m2, {});
+            const auto there = open_space(away, resolution_m, max_m2, {});
             for (std::size_t i = 0; i < here.values.size(); ++i) {
                 const Cell cell = here.cell(i);
                 ASSERT_EQ(here.values[i], there.at({cell.x + kAway.x, cell.y + kAway.y}));

@@ -15,7 +15,7 @@ namespace {
 
 DecidedCut decided(const GridMap& map, const RoomsOptions& options = {}) {
     const Raster<std::uint8_t> free = mask_of(map, CellState::free);
-    return cut_with_decisions({free, free, map.resolution_m, {}, 0, {}}, options, {});
+    return cut_with_decisions({free, map.states, map.resolution_m, {}, 0, {}}, options, {});
 }
 
 std::size_t count(const DecidedCut& cut, Verdict verdict) {
@@ -32,7 +32,7 @@ TEST(Decisions, ChangeNothing) {
     const Raster<std::uint8_t> free = mask_of(map, CellState::free);
     StageClock clock;
     const RoomsCut plain =
-        cut_into_rooms({free, free, map.resolution_m, {}, 0, {}}, RoomsOptions{}, clock, {});
+        cut_into_rooms({free, map.states, map.resolution_m, {}, 0, {}}, RoomsOptions{}, clock, {});
     EXPECT_TRUE(decided(map).cut.rooms.values == plain.rooms.values);
 }
 
@@ -41,7 +41,7 @@ TEST(Decisions, OfTwoRoomsTheDoorIsTheOneCut) {
     ASSERT_EQ(count(cut, Verdict::cut), 1U);
     const Decision& door = cut.decisions.front();
     EXPECT_EQ(door.verdict, Verdict::cut);
-    EXPECT_NEAR(2.0 * door.narrowing.half_width_m, 0.9, 0.06);
+    EXPECT_NEAR(2.0 * door.border.narrowing.half_width_m, 0.9, 0.06);
     EXPECT_GE(door.log_odds, fuse_threshold(0.5));
 }
 

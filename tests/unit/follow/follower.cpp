@@ -286,7 +286,10 @@ TEST(Follower, FansOfRaysAreGlimpsesAsInTheWholeMap) {
         std::multiset<double> expected_m2;
         for (const Room& room : test::seen_as(rooms, seen)) areas_m2.insert(room.area_m2);
         for (const Room& room : test::seen_as(whole, seen)) expected_m2.insert(room.area_m2);
-        EXPECT_EQ(areas_m2, expected_m2);
+        ASSERT_EQ(areas_m2.size(), expected_m2.size());
+        // Where in a wall a doorway is cut depends on where the window begins.
+        auto expected = expected_m2.begin();
+        for (const double area_m2 : areas_m2) EXPECT_NEAR(area_m2, *expected++, 0.1);
     }
     EXPECT_EQ(test::seen_as(rooms, Seen::glimpse).size(), 5U);
 }

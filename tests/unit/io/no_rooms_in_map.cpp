@@ -38,12 +38,12 @@ TEST(NoRoomsInMap, BecauseNothingIsFree) {
 }
 
 TEST(NoRoomsInMap, BecauseAllIsTooSmall) {
-    const std::string text = reason_of(map_with_free(50, 20, 86, 56));
-    expect_words(text, "3.24 m²");
+    const std::string text = reason_of(map_with_free(50, 20, 78, 48));
+    expect_words(text, "1.96 m²");
     expect_words(text, "rooms.min_component");
-    SegmentOptions larger;
-    larger.rooms.min_component_m2 = 3.0;
-    EXPECT_EQ(segment(map_with_free(50, 20, 86, 56), larger).rooms.size(), 1U);
+    SegmentOptions smaller;
+    smaller.rooms.min_component_m2 = 1.9;
+    EXPECT_EQ(segment(map_with_free(50, 20, 78, 48), smaller).rooms.size(), 1U);
 }
 
 TEST(NoRoomsInMap, BecauseAllIsTooNarrow) {

@@ -47,8 +47,8 @@ TEST(Borders, WhereFurnitureStandsAllAlongThereIsABorderAmongWallsOnly) {
 
 TEST(Borders, WallsInLineAreCounted) {
     const Drawn drawn;
-    WallLines lines{Raster<std::uint8_t>(drawn.labels.box()),
-                    Raster<std::uint8_t>(drawn.labels.box())};
+    WallLines lines{
+        {}, Raster<std::uint8_t>(drawn.labels.box()), Raster<std::uint8_t>(drawn.labels.box())};
     lines.less_dm.at({1, 1}) = 5;
     lines.more_dm.at({1, 1}) = 20;
     const Saddle saddle = drawn.saddles(lines)[0].at({1, 2});

@@ -9,12 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "quadcut/rooms/fuse.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
 
-/// An opening of 0.9 m between two places of 4 m, more or less.
-Narrowing narrowing_with_walls(double walls_m) {
+/// An opening of 0.9 m between two places of 4 m, more or less, and no furniture.
+BorderMeasure opening_with_walls(double walls_m) {
     Narrowing narrowing;
     narrowing.half_width_m = 0.45;
     for (SideOfSaddle* side : {&narrowing.narrower, &narrowing.wider}) {
@@ -24,16 +25,16 @@ Narrowing narrowing_with_walls(double walls_m) {
     narrowing.opening.width_m = 0.9;
     narrowing.opening.thin_wall_m = {walls_m, walls_m};
     narrowing.opening.line_of_walls_m = {5.0 * walls_m, 6.0 * walls_m};
-    return narrowing;
+    return test::plain_border(narrowing);
 }
 
 TEST(DoorModel, WhatCuesAddIsWhatTellsTwoNarrowingsApart) {
-    const auto sum = [](const Narrowing& narrowing) {
-        const auto contributions = door_contributions(narrowing);
+    const auto sum = [](const BorderMeasure& border) {
+        const auto contributions = door_contributions(border);
         return std::accumulate(contributions.begin(), contributions.end(), 0.0);
     };
-    const Narrowing door = narrowing_with_walls(0.5);
-    const Narrowing none = narrowing_with_walls(0.0);
+    const BorderMeasure door = opening_with_walls(0.5);
+    const BorderMeasure none = opening_with_walls(0.0);
     EXPECT_GT(door_log_odds(door), door_log_odds(none));
     EXPECT_NEAR(sum(door) - sum(none), door_log_odds(door) - door_log_odds(none), 1e-6);
 }

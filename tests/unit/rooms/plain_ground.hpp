@@ -37,4 +37,15 @@ inline BorderMeasure plain_border(const Narrowing& narrowing) {
     return border;
 }
 
+/// Of a room in which nothing stands.
+inline RegionShape rectangle(double length_m, double width_m) {
+    RegionShape shape;
+    shape.area_m2 = length_m * width_m;
+    shape.mean_clearance_m = 0.25 * width_m;
+    shape.mean_free_clearance_m = shape.mean_clearance_m;
+    shape.hull_m2 = shape.area_m2;
+    shape.around_m = {length_m, width_m};
+    return shape;
+}
+
 }  // namespace quadcut::test

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/rooms/drawing.hpp"
+#include "tests/unit/rooms/plain_ground.hpp"
 
 namespace quadcut {
 namespace {
@@ -63,12 +64,14 @@ TEST(EarlierRooms, WhatIsNoLongerFreeSaysNothing) {
 struct Floor {
     Raster<std::uint32_t> pieces;
     Raster<float> clearance;
+    test::PlainGround plain;
     RegionGraph regions;
     EarlierDecisions earlier;
     Floor(const Rows& drawn, std::uint32_t count, const Rows& rooms)
         : pieces(test::drawn_labels(drawn)),
           clearance(pieces.box(), 0.5F),
-          regions(pieces, count, clearance, 0.05),
+          plain(clearance, 0.05),
+          regions(pieces, count, plain.ground()),
           earlier(pieces, count, drawn_rooms(rooms)) {}
 };
 

@@ -127,17 +127,30 @@ TEST(DoorModel, MoreWallNeverMakesADoorLessLikely) {
     narrowing.border_ratio = 1.0;
     narrowing.opening.has_jambs = true;
     narrowing.opening.width_m = 1.0;
+    narrowing.share_in_line = 1.0;
     double before = -100.0;
+    const auto expect_no_less_likely = [&] {
+        BorderMeasure border = test::plain_border(narrowing);
+        border.narrower = test::rectangle(6.0, 2.0);
+        border.wider = test::rectangle(6.7, 3.0);
+        border.joined = test::rectangle(6.7, 5.0);
+        const double now = door_log_odds(border);
+        EXPECT_GE(now, before);
+        before = now;
+    };
     for (const double wall : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
         narrowing.opening.thin_wall_m = {wall, wall};
         narrowing.opening.flush_wall_m = {wall, wall};
-        EXPECT_GE(door_log_odds(test::plain_border(narrowing)), before);
-        before = door_log_odds(test::plain_border(narrowing));
+        expect_no_less_likely();
+    }
+    for (const double in_line : {0.0, 1.0, 2.0, 3.0}) {
+        narrowing.less_wall_m = in_line;
+        narrowing.more_wall_m = in_line;
+        expect_no_less_likely();
     }
     for (const double beyond : {0.0, 0.5, 1.0, 1.5}) {
         narrowing.opening.widening_m = {{{beyond, beyond}, {beyond, beyond}}};
-        EXPECT_GE(door_log_odds(test::plain_border(narrowing)), before);
-        before = door_log_odds(test::plain_border(narrowing));
+        expect_no_less_likely();
     }
     EXPECT_GT(before, 0.0);
 }
@@ -258,7 +271,7 @@ TEST(OpenSpace, ThePierBetweenTwoDoorsIsWall) {
             if (!is_wall && !is_bin) kept.at({x, y}) = 1;
         }
     }
-    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3, {});
     EXPECT_EQ(open.at({50, 50}), 0);
     EXPECT_EQ(open.at({50, 80}), 1);
 }
@@ -275,7 +288,7 @@ TEST(OpenSpace, WhatAFlawCutsOffAWallIsWallAndALegBesideItIsNot) {
             if (!is_wall && !is_other && !is_leg) kept.at({x, y}) = 1;
         }
     }
-    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3, {});
     EXPECT_EQ(open.at({52, 30}), 0) << "the end of the wall";
     EXPECT_EQ(open.at({48, 70}), 1) << "the leg";
 }
@@ -288,7 +301,7 @@ TEST(OpenSpace, WhatStandsInANarrowPlaceIsFurniture) {
             if (x < 50 || x > 51 || y < 11 || y > 12) kept.at({x, y}) = 1;
         }
     }
-    EXPECT_EQ(open_space(kept, 0.05, 0.3).at({50, 11}), 1);
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, {}).at({50, 11}), 1);
 }
 
 TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {
@@ -306,13 +319,45 @@ TEST(OpenSpace, LegsAreFurnitureAndWallsAreNot) {
     for (std::int32_t y = 8; y < 10; ++y) {
         for (std::int32_t x = 24; x < 28; ++x) kept.at({x, y}) = 0;
     }
-    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3);
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3, {});
     EXPECT_EQ(open.at({7, 12}), 1) << "leg";
     EXPECT_EQ(open.at({22, 8}), 1) << "outline of the box";
     EXPECT_EQ(open.at({25, 8}), 1) << "inside of the box";
     EXPECT_EQ(open.at({34, 5}), 0) << "stub of wall";
     EXPECT_EQ(open.at({0, 0}), 0) << "outer wall";
-    EXPECT_EQ(open_space(kept, 0.05, 0.01).values, kept.values) << "nothing is that small";
+    EXPECT_EQ(open_space(kept, 0.05, 0.01, {}).values, kept.values) << "nothing is that small";
+}
+
+TEST(OpenSpace, PostsInLineAreAWallAndOneAloneIsFurniture) {
+    // Posts of 0.1 m, 0.1 m apart, in a row that touches no wall; one stands aside.
+    Raster<std::uint8_t> kept({0, 0}, 200, 120);
+    const auto is_post = [](std::int32_t x, std::int32_t y) {
+        return (x == 100 || x == 101) && y >= 20 && y < 100 && y % 4 < 2;
+    };
+    for (std::int32_t y = 2; y < 118; ++y) {
+        for (std::int32_t x = 2; x < 198; ++x) {
+            const bool is_alone = (x == 50 || x == 51) && (y == 60 || y == 61);
+            if (!is_post(x, y) && !is_alone) kept.at({x, y}) = 1;
+        }
+    }
+    const WallLines lines = find_wall_lines(kept, 0.05, 4.0);
+    const Raster<std::uint8_t> open = open_space(kept, 0.05, 0.3, lines);
+    EXPECT_EQ(open.at({100, 60}), 0);
+    EXPECT_EQ(open.at({101, 20}), 0) << "the last one";
+    EXPECT_EQ(open.at({50, 60}), 1);
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, {}).at({100, 60}), 1) << "each by itself";
+}
+
+TEST(OpenSpace, LegsThatARobotFitsBetweenAreFurniture) {
+    Raster<std::uint8_t> kept({0, 0}, 200, 120);
+    for (std::int32_t y = 2; y < 118; ++y) {
+        for (std::int32_t x = 2; x < 198; ++x) {
+            const bool is_leg = (x == 100 || x == 101) && y >= 20 && y < 100 && y % 20 < 2;
+            if (!is_leg) kept.at({x, y}) = 1;
+        }
+    }
+    const WallLines lines = find_wall_lines(kept, 0.05, 4.0);
+    EXPECT_EQ(open_space(kept, 0.05, 0.3, lines).at({100, 60}), 1);
 }
 
 }  // namespace

@@ -84,6 +84,16 @@ TEST(WallLines, PostsThatNoRobotFitsBetweenAreAWall) {
     EXPECT_EQ(hall.num_in_line(100, 62, 118), 56) << "up to the wall of the hall";
 }
 
+TEST(WallLines, ADottedWallIsOne) {
+    Hall hall;
+    // One cell thick; each third one was not hit, nor the last metres up to the wall of the hall.
+    for (std::int32_t y = 2; y < 80; ++y) hall.free.at({100, y}) = y % 3 == 0 ? 1 : 0;
+    const WallLines lines = find_wall_lines(hall.free, kResolutionM, kMaxGapM);
+    EXPECT_TRUE(lines.is_wall({100.5, 40.5}));
+    EXPECT_FALSE(lines.is_wall({50.5, 40.5}));
+    EXPECT_EQ(hall.num_in_line(100, 80, 118), 38);
+}
+
 TEST(WallLines, LegsARobotFitsBetweenAreNone) {
     Hall hall;
     for (std::int32_t y = 20; y < 100; y += 20) hall.put_wall(100, y, y + 2);

@@ -134,13 +134,21 @@ TEST(Field, AMeetingRoomWithATableIsNoCorridor) {
     EXPECT_EQ(rooms.rooms[room_at(rooms, floor.map, {10.0, 2.0}) - 1].kind, RoomKind::corridor);
 }
 
-TEST(Field, ARoomTooSmallIsLeftOutForAReason) {
+TEST(Field, OneSmallRoomIsARoom) {
     PaintedFloor floor(4.0, 4.0, CellState::unknown);
     floor.room({1.0, 1.0}, {2.8, 2.8});
+    const Segmentation rooms = segment(floor.map);
+    ASSERT_EQ(rooms.rooms.size(), 1U);
+    EXPECT_NEAR(rooms.rooms.front().area_m2, 3.24, 1e-6);
+}
+
+TEST(Field, ARoomTooSmallIsLeftOutForAReason) {
+    PaintedFloor floor(4.0, 4.0, CellState::unknown);
+    floor.room({1.0, 1.0}, {2.4, 2.4});
     EXPECT_TRUE(segment(floor.map).rooms.empty());
     const std::string why = io::why_no_rooms(floor.map, {});
-    EXPECT_NE(why.find("3.24 m²"), std::string::npos) << why;
-    EXPECT_NE(why.find("4 m²"), std::string::npos) << why;
+    EXPECT_NE(why.find("1.96 m²"), std::string::npos) << why;
+    EXPECT_NE(why.find("than 2 m²"), std::string::npos) << why;
 }
 
 }  // namespace
