@@ -104,12 +104,9 @@ struct Candidate {
 };
 
 /// Joins what is one piece before anything is decided.
-void join_spectral_pieces(RegionGraph& regions, RegionTruth& rooms) {
+void join_spectral_pieces(RegionGraph& regions) {
     const ContractedGraph contracted = contract(regions);
     join_pieces(regions, contracted, cut_spectrally(contracted.graph, RoomsOptions{}.min_room_m2));
-    for (std::uint32_t piece = 1; piece <= regions.num_pieces(); ++piece) {
-        if (!regions.is_region(piece)) rooms.join(regions.region_of(piece), piece);
-    }
 }
 
 std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32_t>& truth,
@@ -127,7 +124,11 @@ std::vector<Sample> decide_by_truth(const GridMap& map, const Raster<std::uint32
     RegionGraph regions(basins.labels, basins.count,
                         {clearance, free_clearance, map.states, lines, resolution_m});
     RegionTruth rooms(basins.labels, basins.count, truth, left_out);
-    if (pieces == PieceSource::spectral) join_spectral_pieces(regions, rooms);
+    if (pieces == PieceSource::spectral) join_spectral_pieces(regions);
+    fuse_small_regions(regions, kMinPieceM2, options.min_passable_m);
+    for (std::uint32_t piece = 1; piece <= regions.num_pieces(); ++piece) {
+        if (!regions.is_region(piece)) rooms.join(regions.region_of(piece), piece);
+    }
     std::priority_queue<Candidate> queue;
     const auto push = [&](std::uint32_t a, std::uint32_t b) {
         const BorderMeasure border = regions.measure(a, b);

@@ -72,6 +72,9 @@ private:
     std::vector<Waiting> waiting_;
 };
 
+/// Pieces of less are joined before anything is measured: most lie between legs and in corners.
+inline constexpr double kMinPieceM2 = 0.5;
+
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
 /// saddle, smallest first; if it can, one that it was not apart from earlier. What has no neighbour
 /// stays.

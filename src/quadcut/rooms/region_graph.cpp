@@ -335,11 +335,8 @@ void RegionGraph::describe(const RegionPair& pair, const NumOpenings& openings_a
     const std::uint32_t wider = measure.narrowing.is_a_narrower ? b : a;
     measure.narrower = extent_[narrower].shape;
     measure.wider = extent_[wider].shape;
-    Extent both = extent_[a];
-    both.sum_clearance_m += extent_[b].sum_clearance_m;
-    both.sum_free_clearance_m += extent_[b].sum_free_clearance_m;
-    both.num_unknown += extent_[b].num_unknown;
-    both.num_occupied += extent_[b].num_occupied;
+    Sums both = extent_[a];
+    both.add(extent_[b]);
     measure.joined = shape_of(both, hull_of(extent_[a].hull, extent_[b].hull));
     measure.open_in_line_m = open_in_line_m(pair, measure.narrowing.opening, ground_.clearance_m);
     measure.free_in_line_m = open_in_line_m(pair, free.opening, ground_.free_clearance_m);

@@ -41,6 +41,7 @@ void fuse_into_rooms(const FloorToCut& floor, const RoomsOptions& options,
                      const EarlierDecisions& earlier, const Executor& executor,
                      RegionGraph& regions, RoomsCut& cut, Hierarchy* hierarchy) {
     Raster<std::uint32_t>& labels = cut.rooms;
+    fuse_small_regions(regions, kMinPieceM2, options.min_passable_m, earlier);
     Fuser(regions, options.door_width_m, executor, earlier.for_cuts_only())
         .fuse_below(fuse_threshold(1.0));
     fuse_small_regions(regions, options.min_room_m2, options.min_passable_m, earlier);
