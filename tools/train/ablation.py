@@ -99,7 +99,7 @@ def main():
     samples = options.samples.resolve()
     if not samples.exists():
         print("collecting decisions: about fifteen minutes", file=sys.stderr)
-        run(BENCH / "measure_doors", "-o", samples, "--buildings", "140", "--cluttered", "240")
+        run(BENCH / "measure_doors", "-o", samples, "--buildings", "120", "--cluttered", "200")
     else:
         print("decisions of", time.strftime("%Y-%m-%d %H:%M", time.localtime(
             samples.stat().st_mtime)), "from", samples, file=sys.stderr)

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The quadcut developers
 """Trains the door model: decisions in, src/quadcut/rooms/door_trees.cpp out.
 
-  build/release/bench/measure_doors -o build/doors.csv --buildings 140 --cluttered 240
+  build/release/bench/measure_doors -o build/doors.csv --buildings 120 --cluttered 200
   tools/train/door_model.py build/doors.csv                         writes the trees
   tools/train/door_model.py build/doors.csv --leave-out NAME -o F   without the maps of one building
 
