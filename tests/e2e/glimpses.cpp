@@ -109,6 +109,11 @@ TEST(GlimpsesOfMaps, FieldMapsHaveTheRoomsThatTheyShouldHave) {
     begins_with("plan_white_outside", "4 rooms, ");
     begins_with("window_fans", "7 rooms, 6 doors, ");
     begins_with("one_small_room", "1 room, ");
+    begins_with("cubicles", "2 rooms, 1 door, ");
+    begins_with("dotted_walls", "4 rooms, ");
+    begins_with("mullion_wall", "2 rooms, 1 door, ");
+    begins_with("halls_long_corridor", "3 rooms, 2 doors, ");
+    begins_with("lobby_corridor_offices", "10 rooms, 9 doors, ");
     begins_with("meeting_room_kind", "2 rooms, ");
     const std::string legend = read_bytes(folder / "meeting_room_kind/rooms.yaml");
     EXPECT_NE(legend.find("name: \"room 1\", kind: room"), std::string::npos) << legend;

@@ -151,7 +151,8 @@ double EarlierDecisions::openness(const RegionGraph& regions, std::uint32_t a,
         const bool is_between = (p == a && q == b) || (p == b && q == a);
         if (is_between) num_closed += static_cast<double>(wall.num_lines);
     }
-    const double share = num_open / (num_open + num_closed);
+    // Of slits alone nothing counts.
+    const double share = num_open / std::max(1.0, num_open + num_closed);
     return std::clamp((share - kWall) / (kOpen - kWall), 0.0, 1.0);
 }
 

@@ -67,9 +67,9 @@ struct Floor {
     test::PlainGround plain;
     RegionGraph regions;
     EarlierDecisions earlier;
-    Floor(const Rows& drawn, std::uint32_t count, const Rows& rooms)
+    Floor(const Rows& drawn, std::uint32_t count, const Rows& rooms, float clearance_m = 0.5F)
         : pieces(test::drawn_labels(drawn)),
-          clearance(pieces.box(), 0.5F),
+          clearance(pieces.box(), clearance_m),
           plain(clearance, 0.05),
           regions(pieces, count, plain.ground()),
           earlier(pieces, count, drawn_rooms(rooms)) {}
@@ -110,6 +110,11 @@ TEST(EarlierRooms, SayNothingWhereAWallHasAppeared) {
     Floor old({"aaaa.bbbb", "aaaaabbbb", "aaaa.bbbb", "aaaa.bbbb"}, 2,
               {"xxxx.xxxx", "xxxxxxxxx", "xxxx.xxxx", "xxxx.xxxx"});
     EXPECT_EQ(old.earlier.log_odds(old.regions, 1, 2), before);
+}
+
+TEST(EarlierRooms, SayNothingOfTwoPiecesOfARoomThatOnlyASlitJoins) {
+    Floor slit({"aaaabbbb"}, 2, {"xxxxxxxx"}, 0.03F);
+    EXPECT_EQ(slit.earlier.log_odds(slit.regions, 1, 2), 0.0);
 }
 
 TEST(EarlierRooms, OfARegionItIsTheRoomOfMostOfIt) {
