@@ -87,8 +87,9 @@ Stage true_stage(const DataMap& data, const Stage* before) {
     const Raster<std::uint32_t> earlier = labels_at(before->map, before->ids, data.map);
     const io::LabelImage then = as_label_image(earlier, 0);
     std::vector<std::uint32_t> id_of(then.num_regions + std::size_t{1}, 0);
+    const Raster<std::uint32_t> numbers = as_raster(then);
     for (std::size_t i = 0; i < earlier.values.size(); ++i)
-        id_of[then.values[i]] = earlier.values[i];
+        id_of[numbers.values[i]] = earlier.values[i];
     std::map<std::uint32_t, std::uint32_t> id_of_now;
     for (const eval::RoomMatch& match : eval::match_rooms(then, as_label_image(stage.ids, 0))) {
         id_of_now[match.truth] = id_of[match.predicted];
@@ -126,14 +127,10 @@ Segmentation cut_stage(const GridMap& map, Way way, const io::PreviousResult* be
 }
 
 double pq_of(const DataMap& data, const Segmentation& rooms) {
-    // All upside down, which changes no score.
-    io::FreeMask free{data.map.states.width, data.map.states.height, {}};
-    for (const CellState state : data.map.states.values) {
-        free.is_free.push_back(state == CellState::free ? 1 : 0);
-    }
-    const io::LabelImage truth = as_label_image(as_raster(data.truth), 0);
     return 100.0 *
-           eval::score_rooms(eval::without_void(as_label_image(rooms.labels), truth, free), truth)
+           eval::score_rooms(eval::without_void(as_label_image(rooms.labels), data.truth,
+                                                data.surely_free),
+                             data.truth)
                .pq;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <queue>
 #include <span>
@@ -74,7 +73,7 @@ private:
 };
 
 /// Pieces of less are joined before anything is measured: most lie between legs and in corners.
-inline const double kMinPieceM2 = std::getenv("MP") ? std::atof(std::getenv("MP")) : 0.5;
+inline constexpr double kMinPieceM2 = 1.0;
 
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
 /// saddle, smallest first; if it can, one that it was not apart from earlier. What has no neighbour

@@ -11,7 +11,7 @@ namespace quadcut {
 namespace {
 
 /// In log-odds: the evidence that it takes to decide otherwise than before.
-constexpr double kStrength = 6.0;
+constexpr double kStrength = 13.0;
 /// A border in one room of which so little is open still is a wall; so much is no change.
 constexpr double kWall = 0.3;
 constexpr double kOpen = 0.55;

@@ -3,7 +3,6 @@
 #include "quadcut/rooms/spectral_pieces.hpp"
 
 #include <cstddef>
-#include <cstdlib>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -17,8 +16,8 @@
 namespace quadcut {
 namespace {
 
-/// A square of 3.1 m has its second eigenvalue here.
-const double kMaxEigenvaluePerM2 = std::getenv("EM") ? std::atof(std::getenv("EM")) : 1.0;
+/// A square of 3.5 m has its second eigenvalue here.
+constexpr double kMaxEigenvaluePerM2 = 0.8;
 /// Of one solve. Fewer make more solves, more make larger ones.
 constexpr std::size_t kMaxPairs = 8;
 
