@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <queue>
 #include <span>
@@ -73,7 +74,7 @@ private:
 };
 
 /// Pieces of less are joined before anything is measured: most lie between legs and in corners.
-inline constexpr double kMinPieceM2 = 0.5;
+inline const double kMinPieceM2 = std::getenv("MP") ? std::atof(std::getenv("MP")) : 0.5;
 
 /// What is smaller than a room, or nowhere as wide as a robot, joins a neighbour through its widest
 /// saddle, smallest first; if it can, one that it was not apart from earlier. What has no neighbour

@@ -3,6 +3,7 @@
 #include "quadcut/rooms/spectral_pieces.hpp"
 
 #include <cstddef>
+#include <cstdlib>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -17,7 +18,7 @@ namespace quadcut {
 namespace {
 
 /// A square of 3.1 m has its second eigenvalue here.
-constexpr double kMaxEigenvaluePerM2 = 1.0;
+const double kMaxEigenvaluePerM2 = std::getenv("EM") ? std::atof(std::getenv("EM")) : 1.0;
 /// Of one solve. Fewer make more solves, more make larger ones.
 constexpr std::size_t kMaxPairs = 8;
 
