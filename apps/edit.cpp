@@ -157,7 +157,7 @@ Command edit_command() {
     form.flags[0].text =
         "the edit with the rooms and doors after it, or all of the history, as JSON";
     for (const std::string_view name : action_names()) form.actions.emplace_back(name);
-    form.examples = {"quadcut edit build/demo/building.quadcut rename 1 Hall",
+    form.examples = {"quadcut edit build/demo/building.quadcut rename 4 Hall",
                      "quadcut edit build/demo/building.quadcut undo"};
     return {form, run};
 }

@@ -143,7 +143,7 @@ Command route_command() {
                   {std::string(kWidthFlag), "", "M",
                    "how wide the robot is, metres (default " + io::rounded(kRobotWidthM) + ")"}};
     form.examples = {"quadcut route build/demo 0.9,0.7 2",
-                     "quadcut route build/demo/building.quadcut 1 2 --as geojson"};
+                     "quadcut route build/demo/building.quadcut 2 4 --as geojson"};
     return {form, nullptr, answer};
 }
 

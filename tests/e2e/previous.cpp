@@ -80,13 +80,16 @@ Json without_areas(Json events) {
 
 TEST(Previous, NamesColoursAndIdsAreKeptInTheSameFolder) {
     const Folder folder;
-    ASSERT_EQ(segment(folder, office_drawing(), "out").exit_code, 0);
+    // Offices of 5.2 m.
+    Words drawing = office_drawing();
+    const std::string row = drawing[2];
+    drawing.insert(drawing.begin() + 2, 5, row);
+    ASSERT_EQ(segment(folder, drawing, "out").exit_code, 0);
     edit(folder, "out");
     // The map has grown to the left and downwards, and a wall with a door divides room 1.
-    Words drawing = office_drawing();
-    for (std::string& row : drawing) row.insert(0, "??");
+    for (std::string& line : drawing) line.insert(0, "??");
     drawing.push_back(drawing[0]);
-    drawing[6] = "???##  #####        #       #?";
+    drawing[8] = "???##  #####        #       #?";
     const Outcome outcome =
         segment(folder, drawing, "out", {"--previous", folder / "out"}, "[0.2, -2.4, 0.0]");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
