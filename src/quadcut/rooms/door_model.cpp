@@ -14,6 +14,7 @@ namespace quadcut {
 namespace {
 
 constexpr double kLeast = 1e-3;
+constexpr double kLeastHalfWidthM = 0.01;
 
 float logarithm(double ratio) { return static_cast<float>(std::log(std::max(ratio, kLeast))); }
 
@@ -73,73 +74,84 @@ double mean_under(const DoorTree& tree, int next) {
     return sum / count;
 }
 
-}  // namespace
-
-std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border) {
+/// Cues one after the other, as kDoorCues lists them.
+struct CueList {
     std::array<float, kNumDoorCues> cues{};
-    std::size_t at = 0;
-    const auto put = [&](float value) { cues[at++] = value; };
-    const auto put_narrowing = [&](const Narrowing& narrowing) {
-        const double h = std::max(0.01, narrowing.half_width_m);
+    std::size_t count = 0;
+
+    void add(double value) { cues[count++] = static_cast<float>(value); }
+    void add_logarithm(double ratio) { cues[count++] = logarithm(ratio); }
+    void add_ratio(double of, double to) { add_logarithm(of / std::max(kLeast, to)); }
+    /// First of the narrower side.
+    template <typename Measure>
+    void add_both(const Narrowing& narrowing, const Measure& measure) {
+        add_logarithm(measure(narrowing.narrower));
+        add_logarithm(measure(narrowing.wider));
+    }
+
+    void add_narrowing(const Narrowing& narrowing) {
+        const double h = std::max(kLeastHalfWidthM, narrowing.half_width_m);
         const SideOfSaddle& narrower = narrowing.narrower;
         const SideOfSaddle& wider = narrowing.wider;
         const Opening& opening = narrowing.opening;
-        put(static_cast<float>(narrowing.half_width_m));
-        for (const double peak : narrower.peak_m) put(logarithm(peak / h));
-        for (const double peak : wider.peak_m) put(logarithm(peak / h));
-        put(static_cast<float>(narrower.reach_m / (2.0 * h)));
-        put(static_cast<float>(wider.reach_m / (2.0 * h)));
-        put(logarithm(narrower.area_m2[1] / (4.0 * h * h)));
-        put(logarithm(wider.area_m2[1] / (4.0 * h * h)));
-        put(logarithm(narrower.area_m2[0]));
-        put(logarithm(wider.area_m2[0]));
-        for (const double m : opening.thin_wall_m) put(static_cast<float>(m));
-        for (const double m : opening.flush_wall_m) put(static_cast<float>(m));
-        put(static_cast<float>(narrowing.border_ratio));
+        add(narrowing.half_width_m);
+        for (const double peak : narrower.peak_m) add_logarithm(peak / h);
+        for (const double peak : wider.peak_m) add_logarithm(peak / h);
+        add(narrower.reach_m / (2.0 * h));
+        add(wider.reach_m / (2.0 * h));
+        add_both(narrowing,
+                 [h](const SideOfSaddle& side) { return side.area_m2[1] / (4.0 * h * h); });
+        add_both(narrowing, [](const SideOfSaddle& side) { return side.area_m2[0]; });
+        for (const double m : opening.thin_wall_m) add(m);
+        for (const double m : opening.flush_wall_m) add(m);
+        add(narrowing.border_ratio);
         for (const auto& side : opening.widening_m) {
-            for (const double m : side) put(static_cast<float>(m));
+            for (const double m : side) add(m);
         }
-        put(static_cast<float>(opening.width_m));
-        put(logarithm(narrower.spread_m[0] / h));
-        put(logarithm(wider.spread_m[0] / h));
-        put(logarithm(std::min(narrower.spread_m[0], wider.spread_m[0]) / h));
-        put(logarithm(std::max(narrower.spread_m[0], wider.spread_m[0]) / h));
-        put(logarithm(narrower.spread_m[1] / h));
-        put(logarithm(wider.spread_m[1] / h));
-        put(logarithm(narrower.region_area_m2));
-        put(logarithm(wider.region_area_m2));
-        put(logarithm(narrower.region_peak_m / h));
-        put(logarithm(wider.region_peak_m / h));
-        put(logarithm(elongation(narrower)));
-        put(logarithm(elongation(wider)));
-        put(static_cast<float>(narrower.num_openings));
-        put(static_cast<float>(wider.num_openings));
-        for (const double m : opening.line_of_walls_m) put(static_cast<float>(m));
-    };
-    put_narrowing(border.narrowing);
-    put_narrowing(border.free_narrowing);
+        add(opening.width_m);
+        add_both(narrowing, [h](const SideOfSaddle& side) { return side.spread_m[0] / h; });
+        add_logarithm(std::min(narrower.spread_m[0], wider.spread_m[0]) / h);
+        add_logarithm(std::max(narrower.spread_m[0], wider.spread_m[0]) / h);
+        add_both(narrowing, [h](const SideOfSaddle& side) { return side.spread_m[1] / h; });
+        add_both(narrowing, [](const SideOfSaddle& side) { return side.region_area_m2; });
+        add_both(narrowing, [h](const SideOfSaddle& side) { return side.region_peak_m / h; });
+        add_both(narrowing, [](const SideOfSaddle& side) { return elongation(side); });
+        add(static_cast<double>(narrower.num_openings));
+        add(static_cast<double>(wider.num_openings));
+        for (const double m : opening.line_of_walls_m) add(m);
+    }
+    void add_shape(const RegionShape& shape) {
+        const Rectangle& around = shape.around_m;
+        add(shape.area_m2 / std::max(kLeast, shape.hull_m2));
+        add(around.width);
+        add_ratio(around.length, around.width);
+        add(shape.area_m2 / std::max(kLeast, around.width * around.length));
+        add(shape.open_share);
+        add(4.0 * shape.mean_clearance_m);
+        add(4.0 * shape.mean_free_clearance_m);
+    }
+};
+
+}  // namespace
+
+std::array<float, kNumDoorCues> door_cues(const BorderMeasure& border) {
+    CueList list;
     for (const Narrowing* narrowing : {&border.narrowing, &border.free_narrowing}) {
-        put(static_cast<float>(narrowing->share_in_line));
-        put(static_cast<float>(narrowing->less_wall_m));
-        put(static_cast<float>(narrowing->more_wall_m));
+        list.add_narrowing(*narrowing);
+    }
+    for (const Narrowing* narrowing : {&border.narrowing, &border.free_narrowing}) {
+        list.add(narrowing->share_in_line);
+        list.add(narrowing->less_wall_m);
+        list.add(narrowing->more_wall_m);
     }
     for (const RegionShape* shape : {&border.narrower, &border.wider, &border.joined}) {
-        put(static_cast<float>(shape->area_m2 / std::max(1e-3, shape->hull_m2)));
-        put(static_cast<float>(shape->around_m.width));
-        put(logarithm(shape->around_m.length / std::max(1e-3, shape->around_m.width)));
-        put(static_cast<float>(shape->area_m2 /
-                               std::max(1e-3, shape->around_m.width * shape->around_m.length)));
-        put(static_cast<float>(shape->open_share));
-        put(static_cast<float>(4.0 * shape->mean_clearance_m));
-        put(static_cast<float>(4.0 * shape->mean_free_clearance_m));
+        list.add_shape(*shape);
     }
-    put(logarithm(border.narrower.mean_clearance_m /
-                  std::max(1e-3, border.wider.mean_clearance_m)));
-    put(logarithm(border.joined.hull_m2 /
-                  std::max(1e-3, border.narrower.hull_m2 + border.wider.hull_m2)));
-    for (const double m : border.open_in_line_m) put(static_cast<float>(m));
-    for (const double m : border.free_in_line_m) put(static_cast<float>(m));
-    return cues;
+    list.add_ratio(border.narrower.mean_clearance_m, border.wider.mean_clearance_m);
+    list.add_ratio(border.joined.hull_m2, border.narrower.hull_m2 + border.wider.hull_m2);
+    for (const double m : border.open_in_line_m) list.add(m);
+    for (const double m : border.free_in_line_m) list.add(m);
+    return list.cues;
 }
 
 double door_log_odds(const BorderMeasure& border) {

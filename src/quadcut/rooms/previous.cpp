@@ -10,8 +10,10 @@
 namespace quadcut {
 namespace {
 
-/// In log-odds: the evidence that it takes to decide otherwise than before.
-constexpr double kStrength = 13.0;
+/// In log-odds: the evidence that it takes to cut what was one room, and to join what was two: the
+/// latter is less, since a wall that has gone is seen at the opening alone.
+constexpr double kKeepsTogether = 13.0;
+constexpr double kKeepsApart = 6.0;
 /// A border in one room of which so little is open still is a wall; so much is no change.
 constexpr double kWall = 0.3;
 constexpr double kOpen = 0.55;
@@ -185,9 +187,9 @@ double EarlierDecisions::log_odds(const RegionGraph& regions, std::uint32_t a, s
     const Before was_a = before(regions, a);
     const Before was_b = before(regions, b);
     if (was_a.room == 0 || was_b.room == 0) return 0.0;
-    const double strength = kStrength * std::min(known_share(was_a), known_share(was_b));
-    if (was_a.room != was_b.room) return strength;
-    return is_for_cuts_ ? 0.0 : -strength * openness(regions, a, b);
+    const double known = std::min(known_share(was_a), known_share(was_b));
+    if (was_a.room != was_b.room) return kKeepsApart * known;
+    return is_for_cuts_ ? 0.0 : -kKeepsTogether * known * openness(regions, a, b);
 }
 
 EarlierDecisions EarlierDecisions::for_cuts_only() const {

@@ -79,7 +79,7 @@ TEST(EarlierRooms, SpeakForTheCutThatWasThereAndAgainstAnother) {
     Floor floor({"aaaabbbbccccdddd"}, 4, {"xxxxxxxxyyyy...."});
     const double apart = floor.earlier.log_odds(floor.regions, 2, 3);
     EXPECT_GT(apart, 3.0);
-    EXPECT_EQ(floor.earlier.log_odds(floor.regions, 1, 2), -apart);
+    EXPECT_LT(floor.earlier.log_odds(floor.regions, 1, 2), -apart) << "the wall may have gone";
     EXPECT_EQ(floor.earlier.log_odds(floor.regions, 3, 4), 0.0) << "all of it is new";
     EXPECT_EQ(floor.earlier.room_of(4), 0U);
     EXPECT_EQ(floor.earlier.room_of(3), 25U);
