@@ -127,11 +127,10 @@ Segmentation cut_stage(const GridMap& map, Way way, const io::PreviousResult* be
 }
 
 double pq_of(const DataMap& data, const Segmentation& rooms) {
-    return 100.0 *
-           eval::score_rooms(eval::without_void(as_label_image(rooms.labels), data.truth,
-                                                data.surely_free),
-                             data.truth)
-               .pq;
+    return 100.0 * eval::score_rooms(eval::without_void(as_label_image(rooms.labels), data.truth,
+                                                        data.surely_free),
+                                     data.truth)
+                       .pq;
 }
 
 Json row_of(const std::string& way, const std::string& stage) {

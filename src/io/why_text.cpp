@@ -94,7 +94,11 @@ std::string measured_text(const Narrowing& narrowing) {
 }
 
 std::string decided_text(const NearBorder& border, const RoomsOptions& options) {
+    const double width_m = 2.0 * border.decision.border.narrowing.half_width_m;
     switch (border.decision.verdict) {
+        case Verdict::cut:
+            if (width_m < kPassesNobodyM) return "passes nobody: a wall that was seen in pieces";
+            break;
         case Verdict::too_wide:
             return "wider than any door (door_width is " + metres(options.door_width_m) + ")";
         case Verdict::too_small:
@@ -177,7 +181,8 @@ std::string why_as_text(const WrittenWhy& written) {
     const Why& why = written.why;
     if (why.ground != PlaceKind::room) return no_room_text(why.ground);
     if (!why.border) {
-        return "no cut: no place near here is narrower than its surroundings, so that nothing "
+        return "no cut: no place near here is narrower than its surroundings or in line with a "
+               "wall, so that nothing "
                "proposes one; " +
                metres(why.clearance_m) + " to the nearest obstacle\n";
     }

@@ -14,14 +14,16 @@ namespace {
 
 Verdict verdict_of(const RegionGraph& regions, std::uint32_t a, std::uint32_t b,
                    const Decision& decision, const RoomsOptions& options) {
-    const auto is_small = [&](std::uint32_t region) {
-        return regions.area_m2(region) < options.min_room_m2 ||
-               2.0 * regions.peak_m(region) < options.min_passable_m;
+    const auto is_below = [&](double area_m2) {
+        return std::min(regions.area_m2(a), regions.area_m2(b)) < area_m2 ||
+               2.0 * std::min(regions.peak_m(a), regions.peak_m(b)) < options.min_passable_m;
     };
+    // Joined before anything was measured.
+    if (is_below(kMinPieceM2)) return Verdict::too_small;
     if (2.0 * decision.border.narrowing.half_width_m > options.door_width_m)
         return Verdict::too_wide;
     if (decision.log_odds < fuse_threshold(options.granularity)) return Verdict::no_door;
-    return is_small(a) || is_small(b) ? Verdict::too_small : Verdict::one_piece;
+    return is_below(options.min_room_m2) ? Verdict::too_small : Verdict::one_piece;
 }
 
 /// The border as it is; cell a of the saddle lies in region a.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "quadcut/base/parallel.hpp"
-#include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/rooms/options.hpp"
+#include "quadcut/rooms/region_graph.hpp"
 #include "quadcut/rooms/rooms.hpp"
 
 namespace quadcut {

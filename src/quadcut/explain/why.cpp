@@ -10,6 +10,7 @@
 #include "quadcut/map/line_walk.hpp"
 #include "quadcut/rooms/fuse.hpp"
 #include "quadcut/segment/floor.hpp"
+#include "quadcut/segment/inside.hpp"
 #include "quadcut/segment/options.hpp"
 
 namespace quadcut {
@@ -118,9 +119,12 @@ Why why(const GridMap& map, const SegmentOptions& options, const Point& place,
     const Executor executor = run.executor();
     Floor floor = lay_out_floor(map, trajectory, options.rooms.min_component_m2, executor);
     const Layout layout = floor.layout;
-    const DecidedCut decided = cut_with_decisions(
+    DecidedCut decided = cut_with_decisions(
         {std::move(floor.kept), floor.states, map.resolution_m, {}, options.paper.num_submaps, {}},
         options.rooms, executor);
+    std::vector<Cell> way = visited_cells(map, trajectory);
+    for (Cell& at : way) at = layout.place_of(at);
+    drop_outside(decided.cut.rooms, layout, map.states.box(), way);
     const Cell laid = layout.place_of(cell);
     const Raster<std::uint32_t>& rooms = decided.cut.rooms;
     if (!rooms.contains(laid) || rooms.at(laid) == 0) return {PlaceKind::left_out, 0.0, {}};

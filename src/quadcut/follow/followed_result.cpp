@@ -25,15 +25,16 @@ Segmentation result_of(const FollowedMap& followed, const RoomsOptions& options,
     Segmentation result;
     result.labels = Raster<std::uint16_t>(grid.states.box());
     std::copy(known.labels.values.begin(), known.labels.values.end(), result.labels.values.begin());
-    const WallLines lines = find_wall_lines(known.free, grid.resolution_m, options.door_width_m, executor);
+    const WallLines lines =
+        find_wall_lines(known.free, grid.resolution_m, options.door_width_m, executor);
     const Raster<float> free_clearance = clearance_m(known.free, grid.resolution_m, executor);
-    Raster<float> clearance = clearance_m(
-        open_space(std::move(known.free), grid.resolution_m, options.max_furniture_m2, lines, executor),
-        grid.resolution_m, executor);
+    Raster<float> clearance = clearance_m(open_space(std::move(known.free), grid.resolution_m,
+                                                     options.max_furniture_m2, lines, executor),
+                                          grid.resolution_m, executor);
     const Layout layout = as_it_lies(grid.states.box());
-    result.doors =
-        find_doors(known.labels, count, {clearance, free_clearance, grid.states, lines, grid.resolution_m}, {layout, grid.resolution_m, grid.map_from_image},
-                   kMinDoorM, executor);
+    result.doors = find_doors(
+        known.labels, count, {clearance, free_clearance, grid.states, lines, grid.resolution_m},
+        {layout, grid.resolution_m, grid.map_from_image}, kMinDoorM, executor);
     result.rooms = describe_rooms(known.labels, count, grid, layout, result.doors, executor,
                                   std::move(clearance));
     std::vector<Cell> way;

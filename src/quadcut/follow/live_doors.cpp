@@ -34,12 +34,9 @@ std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
         const Outside outside{{0}, {total - there.num_cells[i]}, {}, 0};
         beyond.push_back(beyond_of(followed, window, there.rooms[i], outside).front());
     }
-    const WallLines lines = find_wall_lines(there.free, resolution_m, options.door_width_m, executor);
+    const WallLines lines =
+        find_wall_lines(there.free, resolution_m, options.door_width_m, executor);
     const Raster<float> free_clearance = clearance_m(there.free, resolution_m, executor);
-    Raster<CellState> states(there.free.box());
-    for (std::size_t i = 0; i < states.values.size(); ++i) {
-        states.values[i] = there.free.values[i] != 0 ? CellState::free : CellState::occupied;
-    }
     clearance = clearance_m(
         open_space(std::move(there.free), resolution_m, options.max_furniture_m2, lines, executor),
         resolution_m, executor);
@@ -48,7 +45,7 @@ std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
                      {box.high.x - low.x, box.high.y - low.y}};
     std::vector<PlacedDoor> doors = find_doors_in(
         wanted, beyond, there.labels, static_cast<std::uint32_t>(there.rooms.size()),
-        {clearance, free_clearance, states, lines, resolution_m},
+        {clearance, free_clearance, there.states, lines, resolution_m},
         {as_it_lies(window), resolution_m, followed.map.world_from_map()}, kMinDoorM, executor);
     for (PlacedDoor& found : doors) {
         found.a = {found.a.x + low.x, found.a.y + low.y};

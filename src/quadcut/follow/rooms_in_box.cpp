@@ -20,6 +20,7 @@ RoomsInBox rooms_in_box(const FollowedMap& followed, const Box& box) {
         labels.values[i++] = last = room;
     });
     RoomsInBox found{std::move(labels),
+                     Raster<CellState>({0, 0}, box.width(), box.height()),
                      Raster<std::uint8_t>({0, 0}, box.width(), box.height()),
                      {rooms.begin(), rooms.end()},
                      std::vector<std::size_t>(rooms.size(), 0)};
@@ -33,10 +34,11 @@ RoomsInBox rooms_in_box(const FollowedMap& followed, const Box& box) {
     for_each_cell(box, [&](Cell cell) {
         const std::size_t at = i++;
         const std::uint32_t room = found.labels.values[at];
+        const CellState state = found.states.values[at] = followed.map.state(cell);
         if (room == 0) return;
         if (room != last) label = labels_of.at(last = room);
         ++found.num_cells[label - 1];
-        const bool is_free = followed.map.state(cell) == CellState::free;
+        const bool is_free = state == CellState::free;
         const bool is_shut = !is_free && followed.rooms.at(room).is_locked;
         found.labels.values[at] = is_shut ? 0 : label;
         found.free.values[at] = is_free ? 1 : 0;

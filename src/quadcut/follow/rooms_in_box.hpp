@@ -16,6 +16,8 @@ struct RoomsInBox {
     /// 1 + the room's place in `rooms`; 0 = none. What stands in a locked room does not open its
     /// border.
     Raster<std::uint32_t> labels;
+    /// Of the map.
+    Raster<CellState> states;
     /// 1 = free, and a room's.
     Raster<std::uint8_t> free;
     /// By id.

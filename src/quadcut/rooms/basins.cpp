@@ -309,6 +309,9 @@ void spread_labels(const Raster<std::uint8_t>& open, Raster<std::uint32_t>& labe
         if (is_beside) front.push_back(i);
     }
     while (!front.empty()) {
+        // A cell is come by from all sides.
+        std::sort(front.begin(), front.end());
+        front.erase(std::unique(front.begin(), front.end()), front.end());
         std::vector<std::pair<std::size_t, std::uint32_t>> reached;
         for (const std::size_t i : front) {
             if (labels.values[i] != 0) continue;

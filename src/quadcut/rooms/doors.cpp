@@ -141,8 +141,9 @@ std::vector<PlacedDoor> find_doors_in(const Box& box, std::span<const Beyond> be
         for (auto& opening : split_into_openings(contacts)) {
             const Saddle saddle = saddle_of(opening, ground.clearance_m, ground.lines);
             const Saddle free_saddle = saddle_of(opening, ground.free_clearance_m, ground.lines);
-            // Where nothing fits through is no door.
-            if (saddle.clearance_m <= 0.0F || !box.contains(saddle.a)) continue;
+            // Where nobody passes is no door.
+            const double width_m = 2.0 * static_cast<double>(saddle.clearance_m);
+            if (width_m < kPassesNobodyM || !box.contains(saddle.a)) continue;
             openings.push_back({pair, std::move(opening), saddle, free_saddle, {}});
         }
     }

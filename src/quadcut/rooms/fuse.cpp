@@ -19,10 +19,8 @@ constexpr double kLogOddsOfGranularity = 12.0;
 constexpr double kDefaultLogOdds = 0.6;
 /// Below all log-odds of what is measured.
 constexpr double kNoDoor = -100.0;
-/// Above them: what is as narrow as this among walls passes nobody, and is a wall that was seen in
-/// pieces.
+/// Above them.
 constexpr double kWall = 100.0;
-constexpr double kPassesNobodyM = 0.25;
 /// Where two rooms have been, the opening between may be so much wider.
 constexpr double kWiderOfEarlier = 1.25;
 constexpr std::size_t kBordersPerChunk = 4;

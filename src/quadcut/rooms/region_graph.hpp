@@ -25,6 +25,8 @@ namespace quadcut {
 
 /// A robot fits through an opening with this clearance.
 inline constexpr float kFitsM = 0.25F;
+/// What is narrower than this among walls passes nobody: it is a wall that was seen in pieces.
+inline constexpr double kPassesNobodyM = 0.25;
 /// What is smaller is not somewhere to go to.
 inline constexpr double kPlaceM2 = 2.0;
 
