@@ -188,7 +188,7 @@ SMALL_BUILDING = ("simulate", "-o", "input", "--seed", "5", "--rooms", "8", "--j
 def changed(_: Path) -> Iterator[Case]:
     """What is made of a building that people changed, or that was mapped again."""
     project = "project.quadcut"
-    edits = (("rename", "5", "Hall"), ("merge", "7", "10"), ("split", "-2.5", "-6", "-2.5", "8"),
+    edits = (("rename", "5", "Hall"), ("merge", "6", "9"), ("split", "-2.5", "-6", "-2.5", "8"),
              ("lock", "2"), ("rename", "2", "Office"), ("undo",), ("undo",), ("redo",), ("history",))
     looks = (("rooms", project, "--json"), ("locate", project, "9.4", "0.6", "--json"),
              ("locate", project, "90", "0", "--json"), ("export", project, "-o", "exported", "--json"))
