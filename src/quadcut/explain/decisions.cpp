@@ -63,7 +63,7 @@ DecidedCut cut_with_decisions(FloorToCut floor, const RoomsOptions& options,
             if (regions.saddles(a).at(b).clearance_m <= 0.0F) return;
             Decision decision = measured(regions, std::min(a, b), std::max(a, b));
             decision.verdict = verdict_of(regions, a, b, decision, options);
-            joins.push_back(std::move(decision));
+            joins.push_back(decision);
         });
     };
     const double resolution_m = floor.resolution_m;
