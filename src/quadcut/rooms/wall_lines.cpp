@@ -48,7 +48,8 @@ std::vector<Point> surfaces(const Raster<std::uint8_t>& free) {
         if ((x > 0 && is_free(i - 1)) || (x + 1 < width && is_free(i + 1)) ||
             (i >= width && is_free(i - width)) ||
             (i + width < free.values.size() && is_free(i + width))) {
-            points.push_back({static_cast<double>(x) + 0.5, static_cast<double>(i / width) + 0.5});
+            const std::size_t y = i / width;
+            points.push_back({static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
         }
     }
     return points;
