@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
 
 #include "quadcut/map/grid_map.hpp"
 #include "quadcut/map/raster.hpp"
@@ -74,23 +76,24 @@ inline FieldCase halls_and_corridor(std::uint64_t seed) {
     FieldPainter paint(900, 300, seed);
     const std::int32_t corridor_width = paint.between(28, 64);
     const std::int32_t length = paint.between(80, 420);
-    const std::int32_t height[2] = {paint.between(3 * corridor_width / 2 + 20, 260),
-                                    paint.between(3 * corridor_width / 2 + 20, 260)};
-    const std::int32_t width[2] = {paint.between(90, 200), paint.between(90, 200)};
+    const std::array<std::int32_t, 2> height{paint.between(3 * corridor_width / 2 + 20, 260),
+                                             paint.between(3 * corridor_width / 2 + 20, 260)};
+    const std::array<std::int32_t, 2> width{paint.between(90, 200), paint.between(90, 200)};
     const std::int32_t y = 150 - corridor_width / 2;
     std::int32_t x = 10;
-    for (const int k : {0, 1}) {
+    for (std::size_t k = 0; k < 2; ++k) {
         const std::int32_t spare = height[k] - corridor_width;
         const std::int32_t below =
             std::clamp(paint.between(0, spare), std::max(0, spare - 130), std::min(spare, 130));
-        paint.room(x, y - below, width[k], height[k], 1 + static_cast<std::uint32_t>(k));
+        paint.room(x, y - below, width[k], height[k], static_cast<std::uint32_t>(k + 1));
         x += width[k] + length;
     }
     const std::int32_t begin = 10 + width[0];
     paint.room(begin, y, length, corridor_width, 3);
     for (std::int32_t door = begin + 20; paint.between(0, 2) > 0 && door + 90 < begin + length;
          door += 100) {
-        paint.room(door - 10, y + corridor_width + 3, 80, paint.between(50, 100), 4U + door);
+        paint.room(door - 10, y + corridor_width + 3, 80, paint.between(50, 100),
+                   static_cast<std::uint32_t>(4 + door));
         paint.open(door, y + corridor_width, paint.between(16, 22), 3, 3);
     }
     return paint.take();

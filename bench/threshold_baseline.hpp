@@ -60,7 +60,8 @@ inline void spread(Raster<std::uint32_t>& labels, const Raster<std::uint8_t>& op
 /// implementation, and analysis"): of all levels of clearance, the one above which there are most
 /// parts of at least 0.35 m2 (as in their program); the rest goes to the nearest part.
 [[nodiscard]] inline Raster<std::uint32_t> threshold_baseline(const GridMap& map) {
-    using namespace threshold_baseline_steps;
+    using threshold_baseline_steps::parts_above;
+    using threshold_baseline_steps::spread;
     constexpr double kLeastM2 = 0.35;
     constexpr double kStepM = 0.05;
     constexpr double kHighestM = 4.0;
