@@ -21,7 +21,6 @@ namespace {
 using test::as_drawing;
 using test::drawn_labels;
 using test::drawn_map;
-using test::drawn_mask;
 using Rows = std::vector<std::string>;
 
 TEST(Regions, DetachedPartsGoToTheNeighbourWithTheLongestBorder) {
