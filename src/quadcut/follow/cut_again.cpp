@@ -89,8 +89,7 @@ void cut_box(FollowedMap& followed, const Box& decided, const SegmentOptions& op
         const Box cells = cells_of_tiles({tile, tile}).intersected(around);
         if (!cells.is_empty()) changed.include(cells);
     }
-    update_doors(followed, changed, std::move(cut.clearance_m), options.rooms, executor,
-                 update.changes);
+    update_doors(followed, changed, cut.all_cut, options.rooms, executor, update.changes);
     for (auto& [id, room] : followed.rooms) {
         if (!decided.contains(room.box.low) || !decided.contains(room.box.high)) continue;
         room.decided_cells = room.num_cells;

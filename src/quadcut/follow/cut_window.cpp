@@ -251,8 +251,8 @@ WindowCut cut_window(const FollowedMap& followed, const Window& window,
     for (KeptPart& part : cut.kept) part.region = cut.regions.at(part.cell);
     cut.openings = find_openings(window, anew.clearance_m, cut.regions);
     // What was taken for a wall and is none has clearance, too.
-    const bool is_all_known = window.locked.empty() && followed.split_lines.empty();
-    if (is_all_known) cut.clearance_m = std::move(anew.clearance_m);
+    const bool is_all_cut = window.locked.empty() && followed.split_lines.empty();
+    if (is_all_cut) cut.all_cut = anew.clearance_m.box();
     return cut;
 }
 

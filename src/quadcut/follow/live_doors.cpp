@@ -19,12 +19,10 @@ namespace {
 constexpr double kContextM = 10.0;
 constexpr double kSameM = 0.5;
 
-std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
-                                 Raster<float> clearance, const RoomsOptions& options,
-                                 const Executor& executor) {
-    const bool is_known = !clearance.values.empty();
+std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box, const Box& wished,
+                                 const RoomsOptions& options, const Executor& executor) {
     const Box around = box.grown(followed.in_cells(kContextM));
-    const Box window = is_known ? clearance.box() : around.intersected(followed.written.grown(1));
+    const Box window = wished.is_empty() ? around.intersected(followed.written.grown(1)) : wished;
     if (window.is_empty()) return {};
     const double resolution_m = followed.map.resolution_m();
     RoomsInBox there = rooms_in_box(followed, window);
@@ -37,7 +35,7 @@ std::vector<PlacedDoor> doors_in(const FollowedMap& followed, const Box& box,
     const WallLines lines =
         find_wall_lines(there.free, resolution_m, options.door_width_m, executor);
     const Raster<float> free_clearance = clearance_m(there.free, resolution_m, executor);
-    clearance = clearance_m(
+    const Raster<float> clearance = clearance_m(
         open_space(std::move(there.free), resolution_m, options.max_furniture_m2, lines, executor),
         resolution_m, executor);
     const Cell low = window.low;
@@ -82,7 +80,7 @@ Point middle_of(const Door& door) {
 
 }  // namespace
 
-void update_doors(FollowedMap& followed, const Box& box, Raster<float> clearance_m,
+void update_doors(FollowedMap& followed, const Box& box, const Box& window,
                   const RoomsOptions& options, const Executor& executor, Changes& changes) {
     look_up_rooms(followed, changes);
     std::map<DoorId, PlacedDoor> before;
@@ -91,8 +89,7 @@ void update_doors(FollowedMap& followed, const Box& box, Raster<float> clearance
         if (box.contains(at->second.a)) before.insert(followed.doors.extract(at));
         at = next;
     }
-    for (const PlacedDoor& found :
-         doors_in(followed, box, std::move(clearance_m), options, executor)) {
+    for (const PlacedDoor& found : doors_in(followed, box, window, options, executor)) {
         auto same = before.end();
         double least = kSameM;
         for (auto at = before.begin(); at != before.end(); ++at) {

@@ -9,9 +9,9 @@
 namespace quadcut {
 
 /// Finds the doors anew that lie in a box, from what is there now; one that is less than half a
-/// metre from where one was is the same. The rooms of the others are looked up. `clearance_m` is
-/// that of the cells around the box; empty: unknown. O(cells within 10 m of the box + doors).
-void update_doors(FollowedMap& followed, const Box& box, Raster<float> clearance_m,
+/// metre from where one was is the same. The rooms of the others are looked up. `window` is
+/// looked at, around the box; empty: 10 m around it. O(cells of the window + doors).
+void update_doors(FollowedMap& followed, const Box& box, const Box& window,
                   const RoomsOptions& options, const Executor& executor, Changes& changes);
 
 }  // namespace quadcut

@@ -61,8 +61,8 @@ struct WindowCut {
     std::map<std::uint32_t, Outside> outside;
     /// Those within `decided`.
     std::vector<RoomOpening> openings;
-    /// Of the window's cells; empty: unknown.
-    Raster<float> clearance_m;
+    /// Of the window, where doors can be measured as it lies; empty: something in it was not cut.
+    Box all_cut;
     /// The size of the graph that was cut.
     std::size_t num_nodes = 0;
     /// In the window and, to see what is connected, outside.

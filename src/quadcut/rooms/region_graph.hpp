@@ -111,9 +111,6 @@ public:
     [[nodiscard]] const std::map<std::uint32_t, Saddle>& saddles(std::uint32_t region) const {
         return borders_[0].of(region);
     }
-    [[nodiscard]] const std::map<std::uint32_t, Saddle>& free_saddles(std::uint32_t region) const {
-        return borders_[1].of(region);
-    }
     [[nodiscard]] double area_m2(std::uint32_t region) const { return extent_[region].area_m2; }
     /// The largest clearance in the region.
     [[nodiscard]] double peak_m(std::uint32_t region) const { return extent_[region].peak_m; }
@@ -158,7 +155,7 @@ public:
 private:
     /// Over the raster's cells.
     struct Sums {
-        /// Whole numbers: their sums are exact in any order.
+        /// All but the clearances are whole numbers: their sums are exact in any order.
         double num_cells = 0.0;
         double sum_x = 0.0;
         double sum_y = 0.0;
