@@ -3,8 +3,11 @@
 #include "io/file_batch.hpp"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -31,6 +34,34 @@ Placed put_in_place(const std::filesystem::path& from, const std::filesystem::pa
     const Placed placed = errno == ENOENT ? Placed::new_name : Placed::replaced;
     std::filesystem::rename(from, to, error);
     return placed;
+}
+
+/// Between a file's name and the number of the process that writes it.
+constexpr std::string_view kTemporary = ".new";
+
+/// Whether a file is what a program left that was killed while it wrote one of this name.
+bool is_left_behind(const std::string& file, const std::string& name) {
+    if (file.compare(0, name.size(), name) != 0) return false;
+    std::string_view end = std::string_view(file).substr(name.size());
+    if (end.substr(0, kTemporary.size()) != kTemporary) return false;
+    end.remove_prefix(kTemporary.size());
+    ::pid_t process = 0;
+    const auto [after, error] = std::from_chars(end.data(), end.data() + end.size(), process);
+    // What follows the number is of a file that was not even whole.
+    const std::string_view rest = end.substr(static_cast<std::size_t>(after - end.data()));
+    if (error != std::errc{} || process <= 0) return false;
+    if (!rest.empty() && rest.substr(0, 4) != ".tmp") return false;
+    return ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
+void remove_left_behind(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (const auto& file : std::filesystem::directory_iterator(folder, error)) {
+        if (!is_left_behind(file.path().filename().string(), path.filename().string())) continue;
+        std::error_code ignored;
+        std::filesystem::remove(file.path(), ignored);
+    }
 }
 
 /// By any of their names; also of a file that is yet to be made, as a project is.
@@ -113,7 +144,7 @@ void FileBatch::add(const std::string& name, std::string_view bytes) {
     Entry entry;
     entry.name = name;
     entry.path = folder_ / name;
-    entry.temporary = entry.path.string() + ".new" + std::to_string(::getpid());
+    entry.temporary = entry.path.string() + std::string(kTemporary) + std::to_string(::getpid());
     require_free(entry.path);
     make_folder(entry.path.parent_path());
     try {
@@ -150,7 +181,10 @@ void FileBatch::commit() {
         throw InputError(display_name(entry.path) + ": cannot be replaced: " + error.message());
     }
     std::error_code ignored;
-    for (const Entry& entry : entries_) std::filesystem::remove(entry.temporary, ignored);
+    for (const Entry& entry : entries_) {
+        std::filesystem::remove(entry.temporary, ignored);
+        remove_left_behind(entry.path);
+    }
     entries_.clear();
     new_folders_.clear();
 }

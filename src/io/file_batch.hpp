@@ -24,7 +24,8 @@ struct Protected {
 
 /// Files of one folder that appear together: each is written under a temporary name, and commit()
 /// gives all of them their own, or none. Whatever happens, no file is half-written, and a batch
-/// that is not committed leaves files and folders as they were, and nothing of its own.
+/// that is not committed leaves files and folders as they were, and nothing of its own; what a
+/// program leaves that is killed while it writes goes when the same files are next written.
 class FileBatch {
 public:
     explicit FileBatch(std::filesystem::path folder, Protected keep = {});

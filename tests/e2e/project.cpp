@@ -42,6 +42,16 @@ std::map<std::string, std::string> untimed_files(const std::string& folder) {
     return files;
 }
 
+/// Where two texts differ first, and what stands there.
+std::string first_difference(const std::string& text, const std::string& expected) {
+    constexpr std::size_t kAround = 120;
+    std::size_t at = 0;
+    while (at < text.size() && at < expected.size() && text[at] == expected[at]) ++at;
+    const std::size_t begin = at > kAround ? at - kAround : 0;
+    return "at byte " + std::to_string(at) + ": " + text.substr(begin, 2 * kAround) +
+           "\nexpected: " + expected.substr(begin, 2 * kAround);
+}
+
 /// Runs quadcut and kills it after some time; whether it had ended by itself.
 bool run_and_kill(const std::vector<std::string>& arguments, double after_s) {
     std::vector<std::string> words{"-s", "KILL", std::to_string(after_s), QUADCUT_BINARY};
@@ -70,7 +80,14 @@ TEST(ProjectFile, SurvivesBeingKilledAtAnyMoment) {
     }
     const Outcome outcome = run_quadcut(follow);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(untimed_files(folder / "out"), untimed_files(folder / "whole"));
+    const auto whole_files = untimed_files(folder / "whole");
+    const auto files = untimed_files(folder / "out");
+    EXPECT_EQ(files.size(), whole_files.size());
+    for (const auto& [name, bytes] : whole_files) {
+        ASSERT_EQ(files.count(name), 1U) << name;
+        EXPECT_TRUE(files.at(name) == bytes)
+            << name << ": " << first_difference(files.at(name), bytes);
+    }
     for (const auto& [name, bytes] : files_below(folder / "")) {
         EXPECT_EQ(name.find("p.quadcut.new"), std::string::npos) << "left behind";
     }

@@ -44,6 +44,27 @@ TEST(FileBatch, GivenUpLeavesEverythingAsItWas) {
     EXPECT_EQ(read_file(scratch.path() / "a.txt"), kOwn);
 }
 
+TEST(FileBatch, TakesAwayWhatAKilledProgramLeft) {
+    const ScratchFolder scratch;
+    // There is no process of so high a number; the own one may be writing still.
+    const std::string killed = ".new999999999";
+    const std::string own = ".new" + std::to_string(::getpid());
+    for (const std::string& end : {killed, killed + ".tmp999999999_0", killed + "x", own + "0x"}) {
+        scratch.write("a.txt" + end, "left");
+    }
+    scratch.write("b.txt" + killed, "of another file");
+    scratch.write("a.txt.newest", "no number");
+    FileBatch batch(scratch.path());
+    batch.add("a.txt", "new");
+    batch.commit();
+    std::vector<std::string> names = scratch.names();
+    std::sort(names.begin(), names.end());
+    std::vector<std::string> expected{"a.txt", "a.txt" + killed + "x", "a.txt" + own + "0x",
+                                      "a.txt.newest", "b.txt" + killed};
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(names, expected);
+}
+
 TEST(FileBatch, NamesAFolderThatIsAFile) {
     const ScratchFolder scratch;
     const auto file = scratch.write("file", "x");
