@@ -6,6 +6,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -39,28 +40,38 @@ Placed put_in_place(const std::filesystem::path& from, const std::filesystem::pa
 /// Between a file's name and the number of the process that writes it.
 constexpr std::string_view kTemporary = ".new";
 
-/// Whether a file is what a program left that was killed while it wrote one of this name.
-bool is_left_behind(const std::string& file, const std::string& name) {
-    if (file.compare(0, name.size(), name) != 0) return false;
-    std::string_view end = std::string_view(file).substr(name.size());
-    if (end.substr(0, kTemporary.size()) != kTemporary) return false;
-    end.remove_prefix(kTemporary.size());
+/// The file that a program was writing when it was killed, if that is what it left under this name;
+/// otherwise nothing. Who calls a file of his own so keeps it: it must be a work of quadcut, or one
+/// that was not even whole, whose name has the process twice.
+std::filesystem::path left_behind_of(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const std::size_t end = name.rfind(kTemporary);
+    if (end == std::string::npos) return {};
     ::pid_t process = 0;
-    const auto [after, error] = std::from_chars(end.data(), end.data() + end.size(), process);
-    // What follows the number is of a file that was not even whole.
-    const std::string_view rest = end.substr(static_cast<std::size_t>(after - end.data()));
-    if (error != std::errc{} || process <= 0) return false;
-    if (!rest.empty() && rest.substr(0, 4) != ".tmp") return false;
-    return ::kill(process, 0) != 0 && errno == ESRCH;
+    const char* const last = name.data() + name.size();
+    const auto [after, error] =
+        std::from_chars(name.data() + end + kTemporary.size(), last, process);
+    if (error != std::errc{} || process <= 0) return {};
+    const std::string_view rest(after, static_cast<std::size_t>(last - after));
+    const bool is_part = rest.rfind(".tmp" + std::to_string(process) + "_", 0) == 0;
+    if (!is_part && (!rest.empty() || !is_own_file(file))) return {};
+    const bool is_alive = ::kill(process, 0) == 0 || errno != ESRCH;
+    return is_alive ? std::filesystem::path{} : std::filesystem::path(name.substr(0, end));
 }
 
-void remove_left_behind(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    for (const auto& file : std::filesystem::directory_iterator(folder, error)) {
-        if (!is_left_behind(file.path().filename().string(), path.filename().string())) continue;
-        std::error_code ignored;
-        std::filesystem::remove(file.path(), ignored);
+/// Takes away what killed programs left of these files. O(files in their folders).
+void remove_left_behind(const std::set<std::filesystem::path>& written) {
+    std::set<std::filesystem::path> folders;
+    for (const std::filesystem::path& path : written) folders.insert(path.parent_path());
+    for (const std::filesystem::path& folder : folders) {
+        std::error_code error;
+        std::filesystem::directory_iterator file(folder.empty() ? "." : folder, error);
+        for (; !error && file != std::filesystem::directory_iterator(); file.increment(error)) {
+            const std::filesystem::path path = folder / file->path().filename();
+            if (written.count(left_behind_of(path)) == 0) continue;
+            std::error_code ignored;
+            std::filesystem::remove(path, ignored);
+        }
     }
 }
 
@@ -181,10 +192,12 @@ void FileBatch::commit() {
         throw InputError(display_name(entry.path) + ": cannot be replaced: " + error.message());
     }
     std::error_code ignored;
+    std::set<std::filesystem::path> written;
     for (const Entry& entry : entries_) {
         std::filesystem::remove(entry.temporary, ignored);
-        remove_left_behind(entry.path);
+        written.insert(entry.path);
     }
+    remove_left_behind(written);
     entries_.clear();
     new_folders_.clear();
 }

@@ -46,21 +46,28 @@ TEST(FileBatch, GivenUpLeavesEverythingAsItWas) {
 
 TEST(FileBatch, TakesAwayWhatAKilledProgramLeft) {
     const ScratchFolder scratch;
-    // There is no process of so high a number; the own one may be writing still.
+    // There is no process of so high a number; one that there is may be writing still.
     const std::string killed = ".new999999999";
-    const std::string own = ".new" + std::to_string(::getpid());
-    for (const std::string& end : {killed, killed + ".tmp999999999_0", killed + "x", own + "0x"}) {
-        scratch.write("a.txt" + end, "left");
+    const std::string alive = ".new" + std::to_string(::getppid());
+    for (const std::string& end : {killed, killed + ".tmp999999999_0", killed + "x", alive}) {
+        scratch.write("a.txt" + end, kOwn);
     }
-    scratch.write("b.txt" + killed, "of another file");
+    scratch.write("a.txt.new999999998", "a file of somebody who calls his files so");
+    scratch.write("a.txt" + killed + ".tmp1_0", "another process");
+    scratch.write("b.txt" + killed, kOwn);
     scratch.write("a.txt.newest", "no number");
     FileBatch batch(scratch.path());
     batch.add("a.txt", "new");
     batch.commit();
     std::vector<std::string> names = scratch.names();
     std::sort(names.begin(), names.end());
-    std::vector<std::string> expected{"a.txt", "a.txt" + killed + "x", "a.txt" + own + "0x",
-                                      "a.txt.newest", "b.txt" + killed};
+    std::vector<std::string> expected{"a.txt" + alive,
+                                      "a.txt",
+                                      "a.txt" + killed + "x",
+                                      "a.txt.new999999998",
+                                      "a.txt" + killed + ".tmp1_0",
+                                      "a.txt.newest",
+                                      "b.txt" + killed};
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(names, expected);
 }
